@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: Apache-2.0
+include(CMakePackageConfigHelpers)
+
+install(TARGETS tegotae_core tegotae_mujoco tegotae_lab tegotae EXPORT tegotae-targets)
+install(DIRECTORY tegotae DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/tegotae)
+install(EXPORT tegotae-targets NAMESPACE tegotae:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tegotae)
+configure_package_config_file(cmake/tegotae-config.cmake.in tegotae-config.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tegotae)
+write_basic_package_version_file(tegotae-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/tegotae-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/tegotae-config-version.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tegotae)
