@@ -14,18 +14,13 @@ namespace {
 
 using DirectedEdge = std::pair<int, int>;
 
-// Part of the hull's size. Coordinates that passed through single precision (mesh files, MuJoCo) are off by 6e-8 of it;
-// faces that deviate by less are one face. On a body of 0.1 m this is 2e-8 m: a fortieth of a percent of what a hand
-// feels at 9000 N/m.
-constexpr double kCoplanarTolerance = 2e-7;
-
 class FaceMerger {
  public:
-  FaceMerger(std::span<const Vector3> points, std::vector<HullTriangle> triangles)
+  FaceMerger(std::span<const Vector3> points, std::vector<HullTriangle> triangles, double coplanarity)
       : points_(points), triangles_(std::move(triangles)), group_(triangles_.size(), -1) {
     Vector3 lower = points[0], upper = points[0];
     for (const Vector3& p : points) lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
-    tolerance_ = kCoplanarTolerance * (upper - lower).norm();
+    tolerance_ = coplanarity * (upper - lower).norm();
     for (size_t t = 0; t < triangles_.size(); ++t) {
       for (int k = 0; k < 3; ++k) owner_[edge_of(static_cast<int>(t), k)] = static_cast<int>(t);
     }
@@ -191,8 +186,8 @@ void add_centroid(Polytope& polytope) {
 
 }  // namespace
 
-Polytope convex_hull(std::span<const Vector3> points) {
-  FaceMerger merger(points, hull_triangles(points));
+Polytope convex_hull(std::span<const Vector3> points, double coplanarity) {
+  FaceMerger merger(points, hull_triangles(points), coplanarity);
   std::vector<std::vector<int>> loops = merger.loops();
   drop_straight_vertices(loops);
   Polytope polytope;

@@ -44,7 +44,8 @@ HullTriangle read_triangle(qhT* qh, facetT* facet) {
   setT* ordered = qh_facet3vertex(qh, facet);
   for (size_t k = 0; k < 3; ++k) {
     const auto* vertex = static_cast<vertexT*>(SETelem_(ordered, static_cast<int>(k)));
-    triangle.vertex[k] = qh_pointid(qh, vertex->point);
+    // Qhull's order is clockwise seen from outside.
+    triangle.vertex[2 - k] = qh_pointid(qh, vertex->point);
   }
   qh_settempfree(qh, &ordered);
   triangle.normal = Vector3(facet->normal[0], facet->normal[1], facet->normal[2]);

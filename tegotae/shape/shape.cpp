@@ -100,9 +100,9 @@ Shape make_ellipsoid(const Vector3& semi_axes, const Pose& X_BS) {
   return shape;
 }
 
-Shape make_hull(std::span<const Vector3> points, const Pose& X_BS) {
+Shape make_hull(std::span<const Vector3> points, const Pose& X_BS, double coplanarity) {
   Shape shape = make(ShapeKind::kHull, Vector3::Zero(), X_BS);
-  shape.polytope = std::make_shared<const Polytope>(convex_hull(points));
+  shape.polytope = std::make_shared<const Polytope>(convex_hull(points, coplanarity));
   return shape;
 }
 

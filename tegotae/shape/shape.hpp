@@ -2,7 +2,7 @@
 #pragma once
 
 #include <tegotae/math/pose.hpp>
-#include <tegotae/shape/polytope.hpp>
+#include <tegotae/shape/convex_hull.hpp>
 
 #include <memory>
 #include <span>
@@ -50,7 +50,7 @@ Shape make_capsule(double radius, double half_length, const Pose& X_BS = {});
 Shape make_cylinder(double radius, double half_height, const Pose& X_BS = {});
 Shape make_ellipsoid(const Vector3& semi_axes, const Pose& X_BS = {});
 /// Hull of `points`, in the shape's frame (m); errors as `convex_hull`.
-Shape make_hull(std::span<const Vector3> points, const Pose& X_BS = {});
+Shape make_hull(std::span<const Vector3> points, const Pose& X_BS = {}, double coplanarity = kExactCoplanarity);
 /// The half-space below the plane through the shape frame's origin with outward normal z.
 Shape make_plane(const Pose& X_BS = {});
 
