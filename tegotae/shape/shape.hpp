@@ -32,6 +32,8 @@ struct Shape {
   Pose X_BS;                  ///< the shape's frame on its body
   double friction = 1.0;      ///< Coulomb coefficient of sliding, dimensionless
   bool frictionless = false;  ///< the scene asks for frictionless contact (MJCF condim 1)
+  int contact_type = 1;       ///< bit masks of the scene's contact filter (MJCF contype, conaffinity)
+  int contact_affinity = 1;
 
   /// Where face planes or overlay vertices are needed: the shape itself (box, hull), a polytope inscribed in it
   /// (curved kinds) or null (plane).
@@ -41,6 +43,11 @@ struct Shape {
   bool is_polytope() const noexcept { return kind == ShapeKind::kBox || kind == ShapeKind::kHull; }
   bool is_bounded() const noexcept { return kind != ShapeKind::kPlane; }
 };
+
+/// Whether the scene's filter lets the two shapes touch: one's type shares a bit with the other's affinity.
+inline bool may_touch(const Shape& a, const Shape& b) noexcept {
+  return ((a.contact_type & b.contact_affinity) | (b.contact_type & a.contact_affinity)) != 0;
+}
 
 // Makers. All throw std::invalid_argument when a length is not finite and positive, and allocate.
 
