@@ -26,6 +26,7 @@ struct ContactPlane {
   std::int32_t moving_index = -1;  ///< of the body, -1: static
   std::int32_t first_point = 0;    ///< its contact points: points[first_point .. first_point + point_count)
   std::int32_t point_count = 0;
+  PlainVector3 p_WC;      ///< centre of mass of a moving body, m
   double distance = 0.0;  ///< of the pieces when the model was made, m; negative: penetration depth
 };
 
