@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// Tolerances of this layer, each with its unit and reason.
+namespace tegotae::tolerance {
+
+/// Stationarity at which the constraint solver stops: |K (x - x_free) - J^T lambda| in the norm of K^-1, relative to
+/// |x - x_free| in the norm of K. A tenth of a millionth of the least felt force share; leaves room below the 1e-10
+/// that the problem promises.
+inline constexpr double kStationarity = 1e-12;
+
+/// The part of the stationarity that rounding alone leaves, relative to the sum of all pushing forces (opposed walls
+/// push against each other with forces far above the resulting one): about sixty units in the last place.
+inline constexpr double kStationarityRounding = 1.5e-14;
+
+/// Violation of a hard row at which it counts as kept, relative to the greatest violation at x_free: below the 1e-10
+/// that the problem promises, above what rounding of gaps a thousand times larger leaves.
+inline constexpr double kHardRowViolation = 1e-12;
+
+/// Violation of hard rows, relative to the greatest at x_free, above which the set counts as infeasible: what the
+/// last proximal stage cannot remove. At 1 mm of violation this is 0.1 pm.
+inline constexpr double kInfeasibleViolation = 1e-10;
+
+/// Violation, relative as above, above which two proximal stages without progress already prove infeasibility: at 1 mm
+/// this is 1 nm. Below it slowly converging near-parallel rows look alike and get all stages.
+inline constexpr double kClearlyInfeasibleViolation = 1e-6;
+
+/// Compliance of a row, relative to the greatest compliance J K^-1 J^T that the coupling itself has at any row, below
+/// which the row is treated as hard, by proximal stages: Newton's matrix would lose more than half its digits.
+inline constexpr double kDirectCompliance = 2e-8;
+
+/// Share of the slope at its start at which a line search ends: the direction is renewed anyway, so more is wasted.
+inline constexpr double kLineSearchSlope = 1e-2;
+
+}  // namespace tegotae::tolerance
