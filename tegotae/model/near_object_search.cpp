@@ -57,8 +57,8 @@ bool NearObjectSearch::measure(const PlacedShape& tool, const PlacedShape& objec
     pair.n_W = closest.n_W;
   } else {
     const bool known = memory.n_W != Vector3::Zero();
-    const Penetration depth = known ? penetration_from(tool, object, memory.n_W, memory.cache)
-                                    : penetration(tool, object, memory.cache);
+    const Penetration depth =
+        known ? penetration_from(tool, object, memory.n_W, memory.cache) : penetration(tool, object, memory.cache);
     if (depth.valid) {
       pair.distance = -depth.depth;
       pair.p_WA = depth.p_WA;

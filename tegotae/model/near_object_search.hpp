@@ -17,10 +17,10 @@ struct NearPair {
   int tool_piece = 0;
   int body = 0;
   int body_piece = 0;
-  double distance = 0.0;               ///< m; negative: penetration depth
-  Vector3 p_WA = Vector3::Zero();      ///< closest point on the tool, or its deepest, m
-  Vector3 p_WB = Vector3::Zero();      ///< closest point on the object, or where the deepest comes out, m
-  Vector3 n_W = Vector3::UnitZ();      ///< unit, out of the object
+  double distance = 0.0;           ///< m; negative: penetration depth
+  Vector3 p_WA = Vector3::Zero();  ///< closest point on the tool, or its deepest, m
+  Vector3 p_WB = Vector3::Zero();  ///< closest point on the object, or where the deepest comes out, m
+  Vector3 n_W = Vector3::UnitZ();  ///< unit, out of the object
 };
 
 /// Finds the near objects (paper, section 4.2.1): sweep and prune of the enlarged tool box against the boxes of all
@@ -53,8 +53,8 @@ class NearObjectSearch {
 
   const SceneGeometry& geometry_;
   SweepAndPrune sweep_and_prune_;
-  std::vector<Piece> pieces_;        ///< by handle of sweep_and_prune_
-  std::vector<int> moving_handles_;  ///< handles of the pieces of moving bodies
+  std::vector<Piece> pieces_;                       ///< by handle of sweep_and_prune_
+  std::vector<int> moving_handles_;                 ///< handles of the pieces of moving bodies
   std::map<std::pair<int, int>, Memory> memories_;  ///< by (tool piece, handle)
   std::vector<NearPair> pairs_;
   long step_ = 0;

@@ -31,7 +31,7 @@ class RepresentationBuilder {
  private:
   void add_plane(const NearPair& pair, std::span<const BodyState> bodies, IntermediateRepresentation& model) const;
   void find_points(const NearPair& pair, const Pose& X_WT, std::span<const BodyState> bodies, double margin);
-  void add_points(const Pose& X_WT, ContactPlane& plane, IntermediateRepresentation& model);
+  void add_points(ContactPlane& plane, IntermediateRepresentation& model);
 
   const SceneGeometry& geometry_;
   ClipWorkspace workspace_;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/model/intermediate_representation.hpp>
+
+#include <array>
+
+namespace tegotae {
+
+/// Brings the intermediate representation from one physics step to the next at the haptic rate: between two models the
+/// contact state is taken to change linearly (paper, section 4.3). Planes are matched by the pieces that they stand
+/// between, contact points by the features that they come from; what has no partner appears or leaves at once.
+/// Large (three models): make it once. `accept` and `at` do not allocate and are linear in planes times planes and in
+/// points.
+class RepresentationInterpolator {
+ public:
+  /// A new model has come: the one before is where the interpolation starts.
+  void accept(const IntermediateRepresentation& model) noexcept;
+
+  /// The model at `fraction` of the way (0: the model before, 1: the newest; clamped). Valid until the next call.
+  /// Counts, sequence, time and distances are the newest model's. Before any model has come: an empty one, sequence 0.
+  const IntermediateRepresentation& at(double fraction) noexcept;
+
+ private:
+  void match() noexcept;
+  void match_points(const ContactPlane& plane, const ContactPlane& before) noexcept;
+
+  IntermediateRepresentation previous_;
+  IntermediateRepresentation newest_;
+  IntermediateRepresentation between_;
+  std::array<int, kMaxPlanes> plane_partner_{};         ///< index in previous_, -1: none
+  std::array<int, kMaxContactPoints> point_partner_{};  ///< index in previous_, -1: none
+};
+
+}  // namespace tegotae

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/math/wrench.hpp>
+#include <tegotae/model/intermediate_representation.hpp>
+
+#include <array>
+
+namespace tegotae {
+
+/// What the tool does to one moving body.
+struct BodyWrench {
+  int moving_index = -1;
+  Vector3 p_WC = Vector3::Zero();  ///< the body's centre of mass, m
+  Wrench on_body;                  ///< about p_WC, world axes
+};
+
+/// The tool's push on the moving bodies, and on all static ones together: its sum is the opposite of the wrench on the
+/// tool. Fixed capacity; no allocation.
+class BodyWrenches {
+ public:
+  void clear() noexcept;
+
+  /// Adds `force` (N, on the body) at the world point `p_W`, for the body of `plane`.
+  void add(const ContactPlane& plane, const Vector3& p_W, const Vector3& force) noexcept;
+
+  /// The bodies receive what was displayed, not what was computed: spreads the difference between the displayed wrench
+  /// on the tool (about `centre_W`) and the sum of all pushes over the bodies in proportion to their forces. Without
+  /// any push there is nobody to receive it.
+  void match(const Wrench& displayed, const Vector3& centre_W) noexcept;
+
+  std::span<const BodyWrench> moving() const noexcept { return {bodies_.data(), static_cast<std::size_t>(count_)}; }
+
+ private:
+  BodyWrench* find_or_add(const ContactPlane& plane) noexcept;
+
+  std::array<BodyWrench, kMaxPlanes> bodies_;
+  int count_ = 0;
+  BodyWrench static_bodies_;  ///< about the world's origin
+};
+
+}  // namespace tegotae
