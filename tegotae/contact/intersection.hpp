@@ -26,11 +26,12 @@ struct IntersectionVertex {
 
 /// Vertices of the intersection of the tool and the object, the object dilated along `dilation_W` (m, zero: not at
 /// all): each of its face planes with outward normal n moves outward by max(0, n . dilation_W). That contains every
-/// translate of the object along the way, and leaves the faces that the way runs along where they are: an object dilated
-/// along its contact normal grows towards the tool, not sideways. After Muller and Preparata (1978): with `origin_W`, a point strictly inside both, as origin
-/// each face plane n.p <= d becomes the dual point n / d; Qhull takes the hull of the dual points; each of its facets
-/// is, dualised back, a vertex. Vertices are unique. Appends to `vertices`; returns false if `origin_W` is
-/// not strictly inside both (nothing is appended). Allocates: for the physics thread and for tests.
+/// translate of the object along the way, and leaves the faces that the way runs along where they are: an object
+/// dilated along its contact normal grows towards the tool, not sideways. After Muller and Preparata (1978): with
+/// `origin_W`, a point strictly inside both, as origin each face plane n.p <= d becomes the dual point n / d; Qhull
+/// takes the hull of the dual points; each of its facets is, dualised back, a vertex. Vertices are unique. Appends to
+/// `vertices`; returns false if `origin_W` is not strictly inside both (nothing is appended). Allocates: for the
+/// physics thread and for tests.
 bool intersection_by_duality(const PlacedShape& tool, const PlacedShape& object, const Vector3& dilation_W,
                              const Vector3& origin_W, std::vector<IntersectionVertex>& vertices);
 

@@ -38,17 +38,27 @@ const Pose& NearObjectSearch::pose_of(const Body& body, std::span<const BodyStat
   return body.moving_index >= 0 ? bodies[static_cast<size_t>(body.moving_index)].X_WB : body.X_WB;
 }
 
-void NearObjectSearch::move_boxes(std::span<const BodyState> bodies) {
+// Greatest speed of a point of the piece, m/s.
+double NearObjectSearch::speed_of(const Body& body, const Shape& piece, std::span<const BodyState> bodies) const {
+  if (body.moving_index < 0) return 0.0;
+  const Twist& V_WB = bodies[static_cast<size_t>(body.moving_index)].V_WB;
+  const double size = piece.polytope ? piece.polytope->radius : 0.0;
+  const double arm = (piece.X_BS.p - body.p_BC).norm() + size + piece.polytope_error;
+  return V_WB.linear.norm() + V_WB.angular.norm() * arm;
+}
+
+// A moving body's box is enlarged by its own way, the tool's box by the rest of the reach.
+void NearObjectSearch::move_boxes(std::span<const BodyState> bodies, const Reach& reach) {
   for (const int handle : moving_handles_) {
     const Piece& piece = pieces_[static_cast<size_t>(handle)];
     const Body& body = geometry_.bodies[static_cast<size_t>(piece.body)];
-    sweep_and_prune_.update(handle,
-                            bounding_box(body.pieces[static_cast<size_t>(piece.body_piece)], pose_of(body, bodies)));
+    const Shape& shape = body.pieces[static_cast<size_t>(piece.body_piece)];
+    const double way = reach.horizon * speed_of(body, shape, bodies);
+    sweep_and_prune_.update(handle, bounding_box(shape, pose_of(body, bodies)).enlarged(way));
   }
 }
 
-bool NearObjectSearch::measure(const PlacedShape& tool, const PlacedShape& object, double threshold, Memory& memory,
-                               NearPair& pair) {
+bool NearObjectSearch::measure(const PlacedShape& tool, const PlacedShape& object, Memory& memory, NearPair& pair) {
   const ClosestPoints closest = closest_points(tool, object, memory.cache);
   if (closest.separation == Separation::kSeparated) {
     pair.distance = closest.distance;
@@ -69,18 +79,18 @@ bool NearObjectSearch::measure(const PlacedShape& tool, const PlacedShape& objec
     }
   }
   memory.n_W = pair.n_W;
-  return pair.distance < threshold;
+  return pair.distance < pair.reach;
 }
 
 std::span<const NearPair> NearObjectSearch::find(const Pose& X_WT, std::span<const BodyState> bodies,
-                                                 double threshold) {
+                                                 const Reach& reach) {
   ++step_;
   pairs_.clear();
-  move_boxes(bodies);
+  move_boxes(bodies, reach);
   for (size_t t = 0; t < geometry_.tool.pieces.size(); ++t) {
     const Shape& tool_shape = geometry_.tool.pieces[t];
     const PlacedShape tool(tool_shape, X_WT);
-    for (const int handle : sweep_and_prune_.candidates(bounding_box(tool_shape, X_WT).enlarged(threshold))) {
+    for (const int handle : sweep_and_prune_.candidates(bounding_box(tool_shape, X_WT).enlarged(reach.at(0.0)))) {
       const Piece& piece = pieces_[static_cast<size_t>(handle)];
       const Body& body = geometry_.bodies[static_cast<size_t>(piece.body)];
       const Shape& object_shape = body.pieces[static_cast<size_t>(piece.body_piece)];
@@ -88,8 +98,8 @@ std::span<const NearPair> NearObjectSearch::find(const Pose& X_WT, std::span<con
       Memory& memory = memories_[{static_cast<int>(t), handle}];
       memory.last_seen = step_;
       NearPair pair{static_cast<int>(t), piece.body, piece.body_piece};
-      const PlacedShape object(object_shape, pose_of(body, bodies));
-      if (measure(tool, object, threshold, memory, pair)) pairs_.push_back(pair);
+      pair.reach = reach.at(speed_of(body, object_shape, bodies));
+      if (measure(tool, PlacedShape(object_shape, pose_of(body, bodies)), memory, pair)) pairs_.push_back(pair);
     }
   }
   forget_distant_pairs();

@@ -12,7 +12,17 @@
 
 namespace tegotae {
 
-/// A piece of the tool and a piece of a body that are nearer than the threshold.
+/// How near is near: what may touch before the next model has come. A pair is near below
+/// margin + horizon * (speed of the tool + speed of the body).
+struct Reach {
+  double margin = 0.0;      ///< m
+  double horizon = 0.0;     ///< s that a model must serve: it appears one physics period late, and serves for one
+  double tool_speed = 0.0;  ///< greatest of any point of the tool, m/s
+
+  double at(double body_speed) const noexcept { return margin + horizon * (tool_speed + body_speed); }
+};
+
+/// A piece of the tool and a piece of a body within reach of each other.
 struct NearPair {
   int tool_piece = 0;
   int body = 0;
@@ -21,6 +31,7 @@ struct NearPair {
   Vector3 p_WA = Vector3::Zero();  ///< closest point on the tool, or its deepest, m
   Vector3 p_WB = Vector3::Zero();  ///< closest point on the object, or where the deepest comes out, m
   Vector3 n_W = Vector3::UnitZ();  ///< unit, out of the object
+  double reach = 0.0;              ///< m: the pair is near below this distance
 };
 
 /// Finds the near objects (paper, section 4.2.1): sweep and prune of the enlarged tool box against the boxes of all
@@ -31,9 +42,9 @@ class NearObjectSearch {
  public:
   explicit NearObjectSearch(const SceneGeometry& geometry);
 
-  /// Pairs nearer than `threshold` (m) with the tool at `X_WT`, nearest first (deepest penetration first of all), valid
+  /// Pairs within `reach` with the tool at `X_WT`, nearest first (deepest penetration first of all), valid
   /// until the next call. `bodies[i]` is the state of moving_index i.
-  std::span<const NearPair> find(const Pose& X_WT, std::span<const BodyState> bodies, double threshold);
+  std::span<const NearPair> find(const Pose& X_WT, std::span<const BodyState> bodies, const Reach& reach);
 
  private:
   struct Piece {
@@ -46,9 +57,10 @@ class NearObjectSearch {
     long last_seen = 0;
   };
 
-  void move_boxes(std::span<const BodyState> bodies);
+  void move_boxes(std::span<const BodyState> bodies, const Reach& reach);
+  double speed_of(const Body& body, const Shape& piece, std::span<const BodyState> bodies) const;
   const Pose& pose_of(const Body& body, std::span<const BodyState> bodies) const;
-  bool measure(const PlacedShape& tool, const PlacedShape& object, double threshold, Memory& memory, NearPair& pair);
+  static bool measure(const PlacedShape& tool, const PlacedShape& object, Memory& memory, NearPair& pair);
   void forget_distant_pairs();
 
   const SceneGeometry& geometry_;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/render/rendering_method.hpp>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace tegotae {
+namespace {
+
+constexpr MethodName kMethods[] = {
+    {"paper", "Susu and Hasegawa: least displacement that frees the penetrating contact points"},
+};
+
+// Ranges beyond which a setting is a slip of the pen: no interface displays more, no tool is larger.
+constexpr double kMaxStiffness = 1e6;     // N/m
+constexpr double kMaxDamping = 1e4;       // N s/m
+constexpr double kMaxMetricLength = 1e3;  // m
+
+void require_range(const char* what, double value, double least, double most, const char* unit) {
+  if (std::isfinite(value) && value >= least && value <= most) return;
+  throw std::invalid_argument(std::string(what) + " " + std::to_string(value) + " " + unit + " is out of range: " +
+                              std::to_string(least) + " to " + std::to_string(most) + " " + unit);
+}
+
+Coupling make_coupling(const MethodSettings& settings, double default_metric_length) {
+  const double metric_length = settings.metric_length.value_or(default_metric_length);
+  require_range("stiffness", settings.stiffness, 1e-3, kMaxStiffness, "N/m");
+  require_range("damping", settings.damping, 0.0, kMaxDamping, "N s/m");
+  require_range("metric length", metric_length, 1e-6, kMaxMetricLength, "m");
+  return {settings.stiffness, settings.damping, metric_length};
+}
+
+}  // namespace
+
+std::span<const MethodName> method_names() noexcept { return kMethods; }
+
+RenderingMethod make_method(std::string_view name, const MethodSettings& settings, const Tool& tool) {
+  if (name == "paper") {
+    // The paper's equations give translation and rotation one stiffness: the metric length of 1 m.
+    constexpr double kPaperMetricLength = 1.0;
+    return PaperMethod({make_coupling(settings, kPaperMetricLength), settings.constraint_set},
+                       tool.mass.centre_of_mass);
+  }
+  std::string names;
+  for (const MethodName& method : kMethods) names.append(names.empty() ? "" : ", ").append(method.name);
+  throw std::invalid_argument("there is no method '" + std::string(name) + "'; there are: " + names);
+}
+
+}  // namespace tegotae

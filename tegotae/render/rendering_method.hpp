@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/model/scene_geometry.hpp>
+#include <tegotae/render/paper_method.hpp>
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+
+namespace tegotae {
+
+/// Any of the methods. They share a port, not a base class: `render(RenderInput, RenderOutput&) noexcept`, `reset()`.
+using RenderingMethod = std::variant<PaperMethod>;
+
+/// What a user may set of a method.
+struct MethodSettings {
+  double stiffness = 1000.0;  ///< N/m, > 0
+  double damping = 0.0;       ///< N s/m, >= 0
+  /// m, > 0. Not set: the method's own default, 1 m for `paper`, the tool's gyration length for every other.
+  std::optional<double> metric_length;
+  ConstraintSet constraint_set = ConstraintSet::kPenetratingPoints;  ///< of `paper`
+};
+
+/// A name that `make_method` knows, and a sentence on the method for listings.
+struct MethodName {
+  std::string_view name;
+  std::string_view summary;
+};
+std::span<const MethodName> method_names() noexcept;
+
+/// Makes the method called `name` for `tool`. Throws std::invalid_argument, with the names or the range permitted, if
+/// there is none of that name or a setting is out of range. Allocates.
+RenderingMethod make_method(std::string_view name, const MethodSettings& settings, const Tool& tool);
+
+inline void render(RenderingMethod& method, const RenderInput& input, RenderOutput& output) noexcept {
+  std::visit([&](auto& chosen) { chosen.render(input, output); }, method);
+}
+
+}  // namespace tegotae
