@@ -38,27 +38,10 @@ struct ClosestPoints {
 /// GJK closest points (Gilbert, Johnson and Keerthi 1988) of two shapes, at most one of them a plane (closed form),
 /// with a certificate: the distance is reported only if the support values along the witness direction prove at least
 /// `tolerances::kCertificate` of it; else the query is retried cold from other directions, else the pair is
-/// kNotSeparated. Does not allocate; bounded iterations; NaN poses give kNotSeparated.
+/// kNotSeparated. Polytopes, spheres and capsules are right to rounding; for cylinders and ellipsoids distance and
+/// lower bound meet to about 1e-13 of the pair's extent. Where faces meet faces any pair of facing points is returned;
+/// the normal is the face's own, however small the gap. No distance below `tolerances::kLeastDistance` of the extent
+/// is reported. Does not allocate; bounded iterations; NaN poses give kNotSeparated, and so do two planes.
 ClosestPoints closest_points(const PlacedShape& tool, const PlacedShape& object, ClosestPointsCache& cache) noexcept;
-
-/// How to part two shapes that are not separated.
-struct Penetration {
-  bool valid = false;              ///< false: neither expansion nor search gave a bounded answer (NaN, degenerate)
-  double depth = 0.0;              ///< m, >= 0: translating the tool by depth * n_W parts the shapes
-  Vector3 p_WA = Vector3::Zero();  ///< deepest tool point along -n_W, m
-  Vector3 p_WB = Vector3::Zero();  ///< object point that it must come back to: p_WA + depth * n_W, m
-  Vector3 n_W = Vector3::UnitZ();  ///< unit, out of the object
-  int iterations = 0;
-};
-
-/// Least translation that parts the shapes (global minimum over directions). Does not allocate; bounded.
-/// Works for separated shapes too close for `closest_points`; if the shapes are clearly separated the answer is
-/// invalid.
-Penetration penetration(const PlacedShape& tool, const PlacedShape& object, ClosestPointsCache& cache) noexcept;
-
-/// The local minimum of the parting translation reached by descent from the direction `n_start_W` (unit, out of the
-/// object): coherent from step to step as long as that minimum exists. Does not allocate; bounded.
-Penetration penetration_from(const PlacedShape& tool, const PlacedShape& object, const Vector3& n_start_W,
-                             ClosestPointsCache& cache) noexcept;
 
 }  // namespace tegotae

@@ -9,4 +9,24 @@ namespace tegotae::tolerances {
 /// Dimensionless. A distance is reported only if the support planes prove at least this part of it.
 inline constexpr double kCertificate = 0.999;
 
+/// Dimensionless, times the extent of a pair (the greatest coordinate that enters a Minkowski difference): what
+/// rounding leaves in one coordinate of it, 16 ulp. Iterations stop at it: nothing below it has a meaning.
+inline constexpr double kRounding = 16.0 * 2.220446049250313e-16;
+
+/// Dimensionless, times the extent of a pair: no shorter distance is reported. 64 roundings, so that the certificate
+/// proves a distance and not its rounding: 2e-13 m for bodies of 1 m.
+inline constexpr double kLeastDistance = 64.0 * kRounding;
+
+/// Sine of the angle below which a triangle is a sliver, and likewise for the volume of a flat tetrahedron: its normal
+/// is noise.
+inline constexpr double kSliver = 1e-13;
+
+/// Dimensionless, times the extent of a pair: where the expanding polytope stops on curved shapes. Between local minima
+/// that differ by less either may be found; the descent that follows makes the one found exact.
+inline constexpr double kCurvedDepth = 1e-6;
+
+/// m. Shapes that are apart by less count as touching for a penetration query: its depth is then 0. Ten thousand times
+/// finer than what a hand feels (4.4e-6 m), and well above what a curved pair leaves uncertified.
+inline constexpr double kTouching = 1e-9;
+
 }  // namespace tegotae::tolerances
