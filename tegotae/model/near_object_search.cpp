@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/contact/penetration.hpp>
 #include <tegotae/model/near_object_search.hpp>
 
 #include <algorithm>
