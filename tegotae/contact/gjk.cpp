@@ -10,6 +10,10 @@ namespace {
 // to reach rounding.
 constexpr int kMaxIterations = 128;
 
+// Passes in a row that may leave both bounds as they are. Where faces are nearly parallel the origin projects onto an
+// edge between two triangles, the distance falls by less than rounding, and yet the next vertex opens the right face.
+constexpr int kMaxStalls = 4;
+
 void take_witnesses(const Simplex& simplex, Result& result) noexcept {
   result.p_tool = simplex.tool_point();
   result.p_object = simplex.object_point();
@@ -53,6 +57,7 @@ Result run(Pair& pair, Simplex& simplex) noexcept {
   const double rounding = tolerances::kRounding * pair.extent;
   Result result;
   result.upper = 1e300;
+  int stalls = 0;
   while (result.iterations < kMaxIterations) {
     ++result.iterations;
     const NearestPoint nearest = reduce_to_nearest(simplex);
@@ -61,18 +66,23 @@ Result run(Pair& pair, Simplex& simplex) noexcept {
       take_witnesses(simplex, result);
       return result;
     }
-    if (simplex.count == 0 || !(nearest.distance < result.upper)) break;
-    result.upper = nearest.distance;
-    take_witnesses(simplex, result);
+    if (simplex.count == 0) break;
+    result.verdict = Verdict::kApart;
+    bool progress = nearest.distance < result.upper;
+    if (nearest.distance < result.upper + rounding) {
+      result.upper = nearest.distance;
+      take_witnesses(simplex, result);
+    }
     const MinkowskiPoint next = pair.support(nearest.n);
     const double lower = nearest.n.dot(next.w);
+    progress = progress || lower > result.lower;
+    stalls = progress ? 0 : stalls + 1;
     // A later direction is the better one unless its bound is worse by more than rounding.
     if (lower > result.lower - rounding) {
       result.lower = lower;
       result.n = nearest.n;
     }
-    result.verdict = Verdict::kApart;
-    if (result.upper - lower <= rounding || simplex.contains(next)) break;
+    if (stalls > kMaxStalls || nearest.distance - lower <= rounding || simplex.contains(next)) break;
     simplex.add(next);
   }
   return result;
