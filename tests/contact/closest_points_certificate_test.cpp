@@ -76,17 +76,19 @@ void check(const BoxPair& pair, Shape& a, Shape& b, ClosestPointsCache& cache, i
   a.size = pair.half_a;  // a box's own size is all that the closest points need of it
   b.size = pair.half_b;
   const ClosestPoints found = closest_points({a, pair.X_WA}, {b, pair.X_WB}, cache);
-  const SeparatingAxis truth = separating_axis(pair.half_a, pair.X_WA, pair.half_b, pair.X_WB);
+  const SeparatingAxis truth(pair.half_a, pair.X_WA, pair.half_b, pair.X_WB);
+  const double gap = truth.greatest_gap();
   if (found.separation == Separation::kSeparated) {
     ++separated;
     ASSERT_GT(found.distance, 0.0);
     ASSERT_GE(found.lower_bound, 0.999 * found.distance);
-    ASSERT_GT(truth.gap, -1e-15) << "a distance of " << found.distance << " m where there is none";
-    // The best of the fifteen axes is a lower bound of the distance.
-    ASSERT_GE(found.distance, truth.gap - 1e-14);
+    ASSERT_GT(std::max(gap, truth.gap_along(found.n_W)), 0.0)
+        << "a distance of " << found.distance << " m where there is none";
+    ASSERT_GE(found.distance, gap - 1e-13);
+    ASSERT_NEAR(found.lower_bound, truth.gap_along(found.n_W), 1e-14);
     ASSERT_NEAR((found.p_WA - found.p_WB).norm(), found.distance, 1e-13);
   } else {
-    ASSERT_LT(truth.gap, 1e-11) << "no distance found where there is one";
+    ASSERT_LT(gap, 1e-11) << "no distance found where there is one";
   }
 }
 

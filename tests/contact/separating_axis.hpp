@@ -4,49 +4,53 @@
 #include <tegotae/math/pose.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace tegotae::testing {
 
-/// Two boxes by the fifteen axes of the separating-axis theorem, in long double; shares nothing with the library.
-struct SeparatingAxis {
-  double gap = -1e300;             ///< greatest separation over all axes, m; negative: they overlap by -gap
-  Vector3 axis = Vector3::Zero();  ///< unit, from b to a
-};
+/// The separating-axis theorem for two boxes, in long double; shares nothing with the library.
+class SeparatingAxis {
+ public:
+  SeparatingAxis(const Vector3& half_a, const Pose& X_WA, const Vector3& half_b, const Pose& X_WB)
+      : half_a_(half_a),
+        half_b_(half_b),
+        A_(X_WA.q.cast<long double>().normalized().toRotationMatrix()),
+        B_(X_WB.q.cast<long double>().normalized().toRotationMatrix()),
+        between_(X_WA.p.cast<long double>() - X_WB.p.cast<long double>()) {}
 
-inline SeparatingAxis separating_axis(const Vector3& half_a, const Pose& X_WA, const Vector3& half_b,
-                                      const Pose& X_WB) {
+  /// The gap between the boxes that the axis (any length) proves, m; negative: their shadows overlap by so much.
+  double gap_along(const Vector3& axis) const { return static_cast<double>(gap(axis.cast<long double>())); }
+
+  /// The greatest gap over the fifteen axes, m. The cross product of two edges that are parallel within an angle is
+  /// known only to 1e-19 rad over that angle, which is why `gap_along` exists.
+  double greatest_gap() const {
+    long double greatest = -1e300L;
+    for (int i = 0; i < 3; ++i) {
+      greatest = std::max({greatest, gap(A_.col(i)), gap(B_.col(i))});
+      for (int j = 0; j < 3; ++j) greatest = std::max(greatest, gap(A_.col(i).cross(B_.col(j))));
+    }
+    return static_cast<double>(greatest);
+  }
+
+ private:
   using Long3 = Eigen::Matrix<long double, 3, 1>;
   using LongMatrix3 = Eigen::Matrix<long double, 3, 3>;
-  const LongMatrix3 A = X_WA.q.cast<long double>().normalized().toRotationMatrix();
-  const LongMatrix3 B = X_WB.q.cast<long double>().normalized().toRotationMatrix();
-  const Long3 between = X_WA.p.cast<long double>() - X_WB.p.cast<long double>();
-  SeparatingAxis best;
-  long double greatest = -1e300L;
-  const auto consider = [&](Long3 axis) {
-    const long double length = axis.norm();
-    if (length < 1e-12L) return;
-    axis /= length;
-    if (axis.dot(between) < 0.0L) axis = -axis;
+
+  long double gap(const Long3& direction) const {
+    const long double length = direction.norm();
+    if (length < 1e-12L) return -1e300L;
+    const Long3 axis = direction / length;
     long double reach = 0.0L;
     for (int k = 0; k < 3; ++k) {
-      reach += std::abs(axis.dot(A.col(k))) * static_cast<long double>(half_a[k]) +
-               std::abs(axis.dot(B.col(k))) * static_cast<long double>(half_b[k]);
+      reach += std::abs(axis.dot(A_.col(k))) * static_cast<long double>(half_a_[k]) +
+               std::abs(axis.dot(B_.col(k))) * static_cast<long double>(half_b_[k]);
     }
-    const long double gap = axis.dot(between) - reach;
-    if (gap > greatest) {
-      greatest = gap;
-      best.axis = axis.cast<double>();
-    }
-  };
-  for (int i = 0; i < 3; ++i) {
-    consider(A.col(i));
-    consider(B.col(i));
-    for (int j = 0; j < 3; ++j) consider(A.col(i).cross(B.col(j)));
+    return std::abs(axis.dot(between_)) - reach;
   }
-  best.gap = static_cast<double>(greatest);
-  return best;
-}
+
+  Vector3 half_a_, half_b_;
+  LongMatrix3 A_, B_;
+  Long3 between_;
+};
 
 }  // namespace tegotae::testing
