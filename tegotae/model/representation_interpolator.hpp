@@ -17,6 +17,9 @@ class RepresentationInterpolator {
   /// A new model has come: the one before is where the interpolation starts.
   void accept(const IntermediateRepresentation& model) noexcept;
 
+  /// Period of the newest model, s; 0 before any has come.
+  double newest_period() const noexcept { return newest_.period; }
+
   /// The model at `fraction` of the way (0: the model before, 1: the newest; clamped). Valid until the next call.
   /// Counts, sequence, time and distances are the newest model's. Before any model has come: an empty one, sequence 0.
   const IntermediateRepresentation& at(double fraction) noexcept;
