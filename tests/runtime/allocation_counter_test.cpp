@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tests/allocation_counter.hpp>
+
+#include <gtest/gtest.h>
+#include <Eigen/Core>
+
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <thread>
+#include <vector>
+
+namespace tegotae::testing {
+namespace {
+
+// Where the compiler cannot see that the memory is not used.
+void* volatile sink = nullptr;
+
+TEST(AllocationCounter, CountsEveryWayToTheHeap) {
+  const AllocationCounter counter;
+  EXPECT_EQ(counter.count(), 0U);
+
+  void* plain = std::malloc(100);
+  sink = plain;
+  EXPECT_EQ(counter.count(), 1U);
+  void* zeroed = std::calloc(10, 10);
+  sink = zeroed;
+  EXPECT_EQ(counter.count(), 2U);
+  void* aligned = std::aligned_alloc(256, 256);
+  sink = aligned;
+  EXPECT_EQ(counter.count(), 3U);
+  auto object = std::make_unique<double>(1.0);
+  sink = object.get();
+  EXPECT_EQ(counter.count(), 4U);
+  Eigen::VectorXd vector(100);
+  sink = vector.data();
+  EXPECT_EQ(counter.count(), 5U);
+  std::vector<int> numbers(100);
+  sink = numbers.data();
+  EXPECT_EQ(counter.count(), 6U);
+  struct alignas(512) Wide {
+    char byte = 0;
+  };
+  auto wide = std::make_unique<Wide>();
+  sink = wide.get();
+  EXPECT_EQ(counter.count(), 7U);
+
+  std::free(plain);
+  std::free(zeroed);
+  std::free(aligned);
+}
+
+TEST(AllocationCounter, CountsTheCallingThreadOnly) {
+  std::thread other([] {
+    for (int i = 0; i < 100; ++i) sink = std::make_unique<int>(i).get();
+  });
+  const AllocationCounter counter;
+  other.join();
+  EXPECT_EQ(counter.count(), 0U);
+}
+
+TEST(AllocationCounter, StackIsNotTheHeap) {
+  const AllocationCounter counter;
+  const Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Random();
+  volatile double number = (matrix * matrix).trace();
+  EXPECT_EQ(number, number);
+  EXPECT_EQ(counter.count(), 0U);
+}
+
+}  // namespace
+}  // namespace tegotae::testing
