@@ -37,7 +37,7 @@ static_assert(std::is_trivially_copyable_v<ImpulseSums>);
 /// Rounding: the sums are compensated (Knuth's exact two-sum, the error carried along), so a sum is the exact one
 /// rounded once, however many ticks it has. A message's sum S is then off by at most half a unit in the last place,
 /// |S| 2^-53, and does not drift: after ten hours of a steady 10 N S is 3.6e5 N s and any difference of two messages
-/// is right within 5.8e-11 N s (for a body of 1 kg 5.8e-11 m/s). Plain summation would have drifted by 1e-4 N s.
+/// is right within 5.8e-11 N s (for a body of 1 kg 5.8e-11 m/s). Plain summation would have drifted by 2e-4 N s.
 class ImpulseAccumulator {
  public:
   /// Gives the body `wrench` (on the body, about its centre of mass, world axes) for `dt` (s). A body out of range or a
