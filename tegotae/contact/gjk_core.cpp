@@ -45,6 +45,9 @@ Vector3 segment_vertex(const Vector3& size, int index) noexcept {
 
 Core::Core(const Shape& the_shape) noexcept : kind(kind_of(the_shape)), shape(&the_shape) {
   if (the_shape.kind == ShapeKind::kSphere || the_shape.kind == ShapeKind::kCapsule) radius = the_shape.size.x();
+  if (the_shape.kind == ShapeKind::kEllipsoid) {
+    radius = the_shape.size.minCoeff() * the_shape.size.minCoeff() / the_shape.size.maxCoeff();
+  }
 }
 
 int Core::vertex_count() const noexcept {
@@ -100,7 +103,9 @@ SupportPoint Core::support(const Vector3& direction, int hint) const noexcept {
     case CoreKind::kEllipsoid:
       break;
   }
-  return tegotae::support(*shape, direction);
+  SupportPoint point = tegotae::support(*shape, direction);
+  if (radius > 0.0) point.p -= radius * direction.normalized();
+  return point;
 }
 
 double Core::extent() const noexcept {

@@ -7,9 +7,12 @@
 
 namespace tegotae::gjk {
 
-/// What is left of a bounded shape when its rounding is taken off: a sphere is a point and a radius, a capsule a
-/// segment and a radius; all others are their own core with radius 0. Closest points of the cores give those of the
-/// shapes exactly, and a point or a segment costs GJK next to nothing.
+/// What is left of a bounded shape when its rounding is taken off: a shape is its core swept with a ball. A sphere is a
+/// point and a radius, a capsule a segment and a radius. An ellipsoid is the inner body at its least radius of
+/// curvature, a_min^2 / a_max: a ball that small rolls freely inside it (Blaschke), so is a summand of it. All others
+/// are their own core with radius 0. Closest points of the cores give those of the shapes exactly, a point or a segment
+/// costs GJK next to nothing, and cores stay apart by their radii where the shapes all but touch, which keeps the
+/// normal of curved contacts exact.
 enum class CoreKind : std::uint8_t { kPoint, kSegment, kBox, kHull, kCylinder, kEllipsoid };
 
 struct Core {

@@ -3,6 +3,7 @@
 
 #include <tegotae/contact/tolerances.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tegotae::gjk {
@@ -14,7 +15,7 @@ struct Feature {
   std::array<double, 3> weight{};
   int count = 0;
   Vector3 v = Vector3::Zero();
-  Vector3 normal = Vector3::Zero();  // of a triangle, any length and sign
+  Vector3 normal = Vector3::Zero();  // of a triangle, any length and sign; zero where v is the better direction
   double squared_distance = 0.0;
 };
 
@@ -83,8 +84,19 @@ Feature nearest_on_triangle(const Simplex& simplex, int i, int j, int k) noexcep
   feature.vertex = {i, j, k};
   feature.weight = {area[0] / sum, area[1] / sum, area[2] / sum};
   feature.count = 3;
-  feature.normal = normal;
-  feature.v = normal * (normal.dot(a) / normal2);
+  // Across the triangle's length rounding turns the normal by rounding / height of the triangle, and the sum of the
+  // weighted vertices by rounding / distance: the better of the two, the normal for a contact, the sum for slivers far
+  // away (curved shapes). Along its length both are made as good as the longer edge.
+  const Vector3& length = ab.squaredNorm() > ac.squaredNorm() ? ab : ac;
+  const double length2 = length.squaredNorm();
+  const double over_plane = normal.dot(a);
+  if (normal2 * normal2 > over_plane * over_plane * length2) {
+    feature.normal = normal;
+    feature.v = normal * (over_plane / normal2);
+  } else {
+    feature.v = a + feature.weight[1] * ab + feature.weight[2] * ac;
+    feature.v -= length * (length.dot(feature.v) / length2);
+  }
   feature.squared_distance = feature.v.squaredNorm();
   return feature;
 }
@@ -108,12 +120,22 @@ bool origin_inside(Simplex& simplex, std::array<double, 4>& volume) noexcept {
   return volume[0] > 0.0 && volume[1] > 0.0 && volume[2] > 0.0 && volume[3] > 0.0;
 }
 
+// Among triangles that are equally near (faces that face each other give four points of one plane) the largest has
+// the best normal.
+void keep_nearer_or_larger(Feature& best, const Feature& other) noexcept {
+  const double slack = tolerances::kSliver * best.squared_distance;
+  const bool tie = std::abs(other.squared_distance - best.squared_distance) <= slack;
+  if (tie ? other.normal.squaredNorm() > best.normal.squaredNorm() : other.squared_distance < best.squared_distance) {
+    best = other;
+  }
+}
+
 Feature nearest_on_tetrahedron(const Simplex& simplex, const std::array<double, 4>& volume) noexcept {
   Feature best;
   best.squared_distance = 1e300;
   for (int k = 0; k < 4; ++k) {
     if (volume[static_cast<size_t>(k)] > 0.0) continue;
-    keep_nearer(best, nearest_on_triangle(simplex, (k + 1) % 4, (k + 2) % 4, (k + 3) % 4));
+    keep_nearer_or_larger(best, nearest_on_triangle(simplex, (k + 1) % 4, (k + 2) % 4, (k + 3) % 4));
   }
   return best;
 }
@@ -137,7 +159,7 @@ NearestPoint nearest_of(const Feature& feature) noexcept {
   NearestPoint nearest;
   nearest.v = feature.v;
   nearest.distance = std::sqrt(feature.squared_distance);
-  if (feature.count == 3) {
+  if (feature.normal != Vector3::Zero()) {
     nearest.n = feature.normal.normalized();
     if (nearest.n.dot(feature.v) < 0.0) nearest.n = -nearest.n;
   } else if (nearest.distance > 0.0) {
