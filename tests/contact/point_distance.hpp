@@ -35,7 +35,7 @@ inline double point_to_ellipsoid(const Vector3& p, const Vector3& axes) {
   if (excess(0.0) <= 0.0) return 0.0;
   double low = 0.0;
   double high = axes.maxCoeff() * p.norm();
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < 80; ++k) {
     const double middle = 0.5 * (low + high);
     (excess(middle) > 0.0 ? low : high) = middle;
   }
@@ -50,7 +50,7 @@ double least_on_unit_interval(Function function) {
   constexpr double kGolden = 0.6180339887498949;
   double low = 0.0;
   double high = 1.0;
-  for (int k = 0; k < 90; ++k) {
+  for (int k = 0; k < 70; ++k) {
     const double a = high - kGolden * (high - low);
     const double b = low + kGolden * (high - low);
     (function(a) < function(b) ? high : low) = function(a) < function(b) ? b : a;
