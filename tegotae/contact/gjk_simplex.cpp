@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tegotae::gjk {
 namespace {
@@ -77,7 +78,11 @@ Feature nearest_on_triangle(const Simplex& simplex, int i, int j, int k) noexcep
     return nearest_on_edges(simplex, {i, j, k}, {0.0, 0.0, 0.0});
   }
   // Signed areas (times |normal|) of the triangles that the origin, projected, makes with the opposite edges.
-  const std::array<double, 3> area = {normal.dot(b.cross(c)), normal.dot(c.cross(a)), normal.dot(a.cross(b))};
+  std::array<double, 3> area = {normal.dot(b.cross(c)), normal.dot(c.cross(a)), normal.dot(a.cross(b))};
+  // Within rounding of an edge the triangle is taken: its normal does not suffer from a small distance.
+  for (double& part : area) {
+    if (std::abs(part) <= tolerances::kBarycentric * normal2) part = std::numeric_limits<double>::min();
+  }
   if (area[0] <= 0.0 || area[1] <= 0.0 || area[2] <= 0.0) return nearest_on_edges(simplex, {i, j, k}, area);
   const double sum = area[0] + area[1] + area[2];
   Feature feature;

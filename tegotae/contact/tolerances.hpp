@@ -21,6 +21,9 @@ inline constexpr double kLeastDistance = 64.0 * kRounding;
 /// is noise.
 inline constexpr double kSliver = 1e-13;
 
+/// Dimensionless: the part of a triangle's area that rounding leaves in a barycentric coordinate, 64 ulp.
+inline constexpr double kBarycentric = 64.0 * 2.220446049250313e-16;
+
 /// Dimensionless, times the extent of a pair: where the expanding polytope stops on curved shapes. Between local minima
 /// that differ by less either may be found; the descent that follows makes the one found exact.
 inline constexpr double kCurvedDepth = 1e-6;
