@@ -32,4 +32,11 @@ inline constexpr double kCurvedDepth = 1e-6;
 /// finer than what a hand feels (4.4e-6 m), and well above what a curved pair leaves uncertified.
 inline constexpr double kTouching = 1e-9;
 
+/// m. A point so near to a plane lies on it. Far above the rounding of coordinates (1e-13 m at 1 km from the world's
+/// origin), far below kSameVertex: faces that were meant to be coplanar are taken as such in every place and pose.
+inline constexpr double kOnPlane = 1e-11;
+
+/// m. Vertices of an intersection nearer to each other than this are one. At 9000 N/m it is 9e-6 N.
+inline constexpr double kSameVertex = 1e-9;
+
 }  // namespace tegotae::tolerances

@@ -159,6 +159,13 @@ void add_edges(Polytope& polytope) {
     if (edge.first > edge.second) continue;
     polytope.edges.push_back({{edge.first, edge.second}, {face, opposite->second}});
   }
+  polytope.face_neighbors.resize(polytope.face_vertices.size());
+  for (const auto& face : polytope.faces) {
+    const auto loop = polytope.vertices_of(face);
+    for (size_t k = 0; k < loop.size(); ++k) {
+      polytope.face_neighbors[static_cast<size_t>(face.first) + k] = left.at({loop[(k + 1) % loop.size()], loop[k]});
+    }
+  }
   polytope.first_neighbor.push_back(0);
   for (const auto& list : neighbors) {
     polytope.neighbors.insert(polytope.neighbors.end(), list.begin(), list.end());

@@ -25,6 +25,7 @@ struct Polytope {
   std::vector<Vector3> vertices;  ///< m, each an extreme point, none twice
   std::vector<Face> faces;
   std::vector<int> face_vertices;
+  std::vector<int> face_neighbors;  ///< beside `face_vertices`: the face across the edge from that vertex to the next
   std::vector<Edge> edges;
   std::vector<int> first_neighbor;  ///< size vertices + 1: neighbours of v are neighbors[first_neighbor[v] .. [v + 1])
   std::vector<int> neighbors;
@@ -33,6 +34,9 @@ struct Polytope {
 
   std::span<const int> vertices_of(const Face& face) const noexcept {
     return {face_vertices.data() + face.first, static_cast<size_t>(face.count)};
+  }
+  std::span<const int> neighbors_of(const Face& face) const noexcept {
+    return {face_neighbors.data() + face.first, static_cast<size_t>(face.count)};
   }
   std::span<const int> neighbors_of(int vertex) const noexcept {
     return {neighbors.data() + first_neighbor[vertex],

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -32,6 +33,14 @@ void expect_well_formed(const Polytope& polytope, double size) {
       runs_forward |= loop[k] == edge.vertex[0] && loop[(k + 1) % loop.size()] == edge.vertex[1];
     }
     EXPECT_TRUE(runs_forward);
+    for (int side = 0; side < 2; ++side) {
+      const auto& face = polytope.faces[static_cast<size_t>(edge.face[side])];
+      const auto vertices = polytope.vertices_of(face);
+      const auto across = polytope.neighbors_of(face);
+      const auto start = std::find(vertices.begin(), vertices.end(), edge.vertex[side]);
+      ASSERT_NE(start, vertices.end());
+      EXPECT_EQ(across[static_cast<size_t>(start - vertices.begin())], edge.face[1 - side]);
+    }
   }
 }
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/contact/clip_vertex_set.hpp>
+#include <tegotae/contact/tolerances.hpp>
+
+#include <algorithm>
+#include <bit>
+
+namespace tegotae {
+namespace {
+
+// Wide against kSameVertex, so that few points lie near a cell's border; narrow against the distance of vertices.
+constexpr double kCellsPerMetre = 1e5;
+
+std::int64_t cell_index(double coordinate) noexcept {
+  constexpr double kLimit = 9e18;
+  return static_cast<std::int64_t>(std::clamp(coordinate * kCellsPerMetre, -kLimit, kLimit));
+}
+
+}  // namespace
+
+ClipVertexSet::ClipVertexSet(int capacity)
+    : members_(static_cast<size_t>(capacity)), slots_(std::bit_ceil(2 * static_cast<size_t>(capacity) + 2)) {}
+
+void ClipVertexSet::clear() noexcept {
+  size_ = 0;
+  if (++generation_ == 0) {
+    std::fill(slots_.begin(), slots_.end(), Slot{});
+    generation_ = 1;
+  }
+}
+
+ClipVertexSet::Cell ClipVertexSet::cell_of(const Vector3& p) noexcept {
+  return {cell_index(p.x()), cell_index(p.y()), cell_index(p.z())};
+}
+
+size_t ClipVertexSet::slot_of(const Cell& cell) const noexcept {
+  const std::uint64_t mixed = static_cast<std::uint64_t>(cell.x) * 0x9E3779B97F4A7C15ULL +
+                              static_cast<std::uint64_t>(cell.y) * 0xC2B2AE3D27D4EB4FULL +
+                              static_cast<std::uint64_t>(cell.z) * 0x165667B19E3779F9ULL;
+  return static_cast<size_t>(mixed ^ (mixed >> 29)) & (slots_.size() - 1);
+}
+
+bool ClipVertexSet::cell_holds(const Cell& cell, const Vector3& p) const noexcept {
+  constexpr double kSquare = tolerances::kSameVertex * tolerances::kSameVertex;
+  for (size_t s = slot_of(cell); slots_[s].generation == generation_; s = (s + 1) & (slots_.size() - 1)) {
+    if ((members_[static_cast<size_t>(slots_[s].member)].p - p).squaredNorm() <= kSquare) return true;
+  }
+  return false;
+}
+
+bool ClipVertexSet::contains(const Vector3& p) const noexcept {
+  const Vector3 reach = Vector3::Constant(tolerances::kSameVertex);
+  const Cell lower = cell_of(p - reach), upper = cell_of(p + reach);
+  for (std::int64_t x = lower.x; x <= upper.x; ++x) {
+    for (std::int64_t y = lower.y; y <= upper.y; ++y) {
+      for (std::int64_t z = lower.z; z <= upper.z; ++z) {
+        if (cell_holds({x, y, z}, p)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+void ClipVertexSet::add(const Vector3& p, const IntersectionFeature& feature) noexcept {
+  if (!contains(p)) add_new(p, feature);
+}
+
+void ClipVertexSet::add_new(const Vector3& p, const IntersectionFeature& feature) noexcept {
+  if (size_ == static_cast<int>(members_.size())) return;
+  size_t s = slot_of(cell_of(p));
+  while (slots_[s].generation == generation_) s = (s + 1) & (slots_.size() - 1);
+  slots_[s] = {generation_, size_};
+  members_[static_cast<size_t>(size_)] = {p, feature.packed()};
+  ++size_;
+}
+
+}  // namespace tegotae
