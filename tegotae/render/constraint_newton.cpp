@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/render/constraint_newton.hpp>
 #include <tegotae/render/force_ellipsoid.hpp>
+#include <tegotae/render/row_lanes.hpp>
 #include <tegotae/render/tolerances.hpp>
 
 #include <algorithm>
@@ -13,34 +14,8 @@ namespace {
 
 constexpr int kIterationLimit = 100;
 constexpr int kLineSearchLimit = 40;
-
-// Pairs of lanes: sums over rows are kept in two halves and added at the end, as SSE2 has registers of two.
-using Pair = Eigen::Array<double, 2, 1>;
-
-Pair pair_product(const double* a, const double* b) noexcept {
-  using ConstMap = Eigen::Map<const Pair>;
-  return (ConstMap(a) * ConstMap(b) + ConstMap(a + 2) * ConstMap(b + 2)) +
-         (ConstMap(a + 4) * ConstMap(b + 4) + ConstMap(a + 6) * ConstMap(b + 6));
-}
-
-template <int N>
-RowLanes rows_times(const RowGroup<N>& rows, const Unknowns<N>& d) noexcept {
-  RowLanes sum = rows.J.col(0) * d[0];
-  for (int j = 1; j < N; ++j) sum += rows.J.col(j) * d[j];
-  return sum;
-}
-
-unsigned positive_lanes(const RowLanes& v) noexcept {
-  unsigned bits = 0;
-  for (int i = 0; i < kRowLanes; ++i) bits |= static_cast<unsigned>(v[i] > 0.0) << i;
-  return bits;
-}
-
-RowLanes lanes_of(unsigned bits) noexcept {
-  RowLanes lanes;
-  for (int i = 0; i < kRowLanes; ++i) lanes[i] = static_cast<double>((bits >> i) & 1u);
-  return lanes;
-}
+constexpr int kRescanLimit = 3;
+constexpr double kReachFactor = 2.0;  // room for the steps that follow
 
 // Solves A y = g by the square-root-free factorisation A = L D L^T, A's lower triangle given. A pivot lost to rounding
 // is replaced by its share of the diagonal: the direction is then no longer Newton's, but still one of descent.
@@ -76,18 +51,21 @@ Unknowns<N> solve_positive(Eigen::Matrix<Scalar, N, N, Eigen::DontAlign>& A, con
 }  // namespace
 
 template <int N, class Scalar>
-void ConstraintNewton<N, Scalar>::add_group_to_matrix(int group, const RowLanes& weight) noexcept {
+void ConstraintNewton<N, Scalar>::add_group_to_matrix(int group, const Lanes& weight) noexcept {
   const RowGroup<N>& rows = problem_.groups()[group];
   if constexpr (std::is_same_v<Scalar, double>) {
     for (int i = 0; i < N; ++i) {
-      const RowLanes weighted = weight * rows.J.col(i);
-      for (int j = 0; j <= i; ++j) contact_matrix_(i, j) += pair_product(weighted.data(), &rows.J(0, j)).sum();
+      const Lanes weighted = weight * Lanes::load(rows.J.data() + i * kRowLanes);
+      for (int j = 0; j <= i; ++j)
+        contact_matrix_[i][j] += (weighted * Lanes::load(rows.J.data() + j * kRowLanes)).fold();
     }
   } else {
+    RowLanes weights;
+    weight.store(weights);
     for (int lane = 0; lane < kRowLanes; ++lane)
-      for (int i = 0; weight[lane] != 0.0 && i < N; ++i) {
-        const Scalar weighted = static_cast<Scalar>(weight[lane]) * static_cast<Scalar>(rows.J(lane, i));
-        for (int j = 0; j <= i; ++j) contact_matrix_(i, j) += weighted * static_cast<Scalar>(rows.J(lane, j));
+      for (int i = 0; weights[lane] != 0.0 && i < N; ++i) {
+        const Scalar weighted = static_cast<Scalar>(weights[lane]) * static_cast<Scalar>(rows.J(lane, i));
+        for (int j = 0; j <= i; ++j) contact_matrix_[i][j] += weighted * static_cast<Scalar>(rows.J(lane, j));
       }
   }
 }
@@ -95,11 +73,10 @@ void ConstraintNewton<N, Scalar>::add_group_to_matrix(int group, const RowLanes&
 template <int N, class Scalar>
 ConstraintNewton<N, Scalar>::ConstraintNewton(const ConstraintProblem<N>& problem, const RowCompliance* compliances,
                                               ConstraintWorkspace<N>& workspace) noexcept
-    : problem_(problem),
-      compliances_(compliances),
-      workspace_(workspace),
-      reach_(std::numeric_limits<double>::infinity()) {
+    : problem_(problem), compliances_(compliances), workspace_(workspace) {
   std::fill_n(workspace_.active.begin(), problem.group_count(), std::uint8_t{0});
+  for (auto& row : contact_matrix_)
+    for (MatrixSum& entry : row) entry = MatrixSum{};
 }
 
 template <int N, class Scalar>
@@ -109,14 +86,21 @@ void ConstraintNewton<N, Scalar>::scan(const Unknowns<N>& z, bool shifted) noexc
   const double threshold = -reach_ * problem_.row_norm();
   auto& near = workspace_.near_groups;
   near.clear();
+  begin_gradient();
   for (int g = 0; g < problem_.group_count(); ++g) {
     const RowGroup<N>& rows = problem_.groups()[g];
-    RowLanes v = rows.b - rows_times<N>(rows, x);
-    if (shifted) v += (compliances_[g].c - problem_.compliances()[g].c) * workspace_.previous[g];
-    workspace_.violation[g] = v;
-    if (!(v.maxCoeff() <= threshold) || workspace_.active[g] != 0) near.push_back(g);
+    Lanes v = Lanes::load(rows.b) - rows_times<N>(rows, x);
+    if (shifted) {
+      const Lanes added = Lanes::load(compliances_[g].c) - Lanes::load(problem_.compliances()[g].c);
+      v = v + added * Lanes::load(workspace_.previous[g]);
+    }
+    v.store(workspace_.violation[g]);
+    if (v.above(threshold) == 0 && workspace_.active[g] == 0) continue;
+    near.push_back(g);
+    add_group_to_gradient(g, v);
   }
   scan_friction(x, shifted);
+  finish_gradient(z);
 }
 
 template <int N, class Scalar>
@@ -140,25 +124,30 @@ void ConstraintNewton<N, Scalar>::evaluate_friction() noexcept {
   }
 }
 
-// Gradient, friction forces and the sets of violated rows at z.
+// The gradient and the sets of violated rows at z are found in one pass with what changes the violations.
 template <int N, class Scalar>
-void ConstraintNewton<N, Scalar>::evaluate(const Unknowns<N>& z) noexcept {
-  Pair sums[N];
-  for (Pair& sum : sums) sum.setZero();
-  Pair forces = Pair::Zero();
-  for (const int g : workspace_.near_groups) {
-    const RowLanes& v = workspace_.violation[g];
-    const unsigned bits = positive_lanes(v);
-    workspace_.violated[g] = static_cast<std::uint8_t>(bits);
-    if (bits == 0) continue;
-    const RowLanes lambda = v.max(0.0) * compliances_[g].stiffness;
-    const RowGroup<N>& rows = problem_.groups()[g];
-    for (int j = 0; j < N; ++j) sums[j] += pair_product(&rows.J(0, j), lambda.data());
-    for (int i = 0; i < kRowLanes; i += 2) forces += lambda.segment<2>(i);
-  }
+void ConstraintNewton<N, Scalar>::begin_gradient() noexcept {
+  for (Pair& push : push_) push = Pair{};
+  push_sum_ = Pair{};
+}
+
+template <int N, class Scalar>
+[[gnu::always_inline]] inline void ConstraintNewton<N, Scalar>::add_group_to_gradient(int group,
+                                                                                      const Lanes& v) noexcept {
+  const unsigned bits = v.above(0.0);
+  workspace_.violated[group] = static_cast<std::uint8_t>(bits);
+  if (bits == 0) return;
+  const Lanes lambda = v.positive() * Lanes::load(compliances_[group].stiffness);
+  const RowGroup<N>& rows = problem_.groups()[group];
+  for (int j = 0; j < N; ++j) push_[j] += (Lanes::load(rows.J.data() + j * kRowLanes) * lambda).fold();
+  push_sum_ += lambda.fold();
+}
+
+template <int N, class Scalar>
+void ConstraintNewton<N, Scalar>::finish_gradient(const Unknowns<N>& z) noexcept {
   gradient_ = problem_.K() * z;
-  for (int j = 0; j < N; ++j) gradient_[j] -= sums[j].sum();
-  force_sum_ = forces.sum() * problem_.row_norm();
+  for (int j = 0; j < N; ++j) gradient_[j] -= sum(push_[j]);
+  force_sum_ = sum(push_sum_) * problem_.row_norm();
   evaluate_friction();
   for (int f = 0; f < problem_.friction_count(); ++f) {
     const Unknowns<N> push = problem_.friction(f).J.transpose() * workspace_.friction[f].force;
@@ -172,34 +161,54 @@ void ConstraintNewton<N, Scalar>::update_active_set() noexcept {
   for (const int g : workspace_.near_groups) {
     const unsigned now = workspace_.violated[g], before = workspace_.active[g];
     if (now == before) continue;
-    const RowLanes sign = before == 0 ? lanes_of(now) : RowLanes(lanes_of(now) - lanes_of(before));
-    add_group_to_matrix(g, sign * compliances_[g].stiffness);
+    add_group_to_matrix(g, (Lanes::of(now) - Lanes::of(before)) * Lanes::load(compliances_[g].stiffness));
     workspace_.active[g] = static_cast<std::uint8_t>(now);
   }
 }
 
 template <int N, class Scalar>
 void ConstraintNewton<N, Scalar>::find_direction() noexcept {
-  Matrix A = contact_matrix_ + problem_.K().template cast<Scalar>();
+  Matrix A = problem_.K().template cast<Scalar>();
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j <= i; ++j) A(i, j) += sum(contact_matrix_[i][j]);
   for (int f = 0; f < problem_.friction_count(); ++f) {
+    // Lazy products: Eigen's general ones may allocate.
     const auto J = problem_.friction(f).J.template cast<Scalar>().eval();
-    A += J.transpose() * workspace_.friction[f].stiffness.template cast<Scalar>() * J;
+    const auto stiff = workspace_.friction[f].stiffness.template cast<Scalar>().lazyProduct(J).eval();
+    A += J.transpose().lazyProduct(stiff);
   }
   direction_ = solve_positive<N, Scalar>(A, -gradient_);
 }
 
 template <int N, class Scalar>
-void ConstraintNewton<N, Scalar>::compute_change() noexcept {
-  for (const int g : workspace_.near_groups) workspace_.change[g] = rows_times<N>(problem_.groups()[g], direction_);
-  for (int f = 0; f < problem_.friction_count(); ++f)
+void ConstraintNewton<N, Scalar>::step(Unknowns<N>& z) noexcept {
+  z += direction_;
+  begin_gradient();
+  for (const int g : workspace_.near_groups) {
+    const Lanes change = rows_times<N>(problem_.groups()[g], direction_);
+    const Lanes v = Lanes::load(workspace_.violation[g]) - change;
+    change.store(workspace_.change[g]);
+    v.store(workspace_.violation[g]);
+    add_group_to_gradient(g, v);
+  }
+  for (int f = 0; f < problem_.friction_count(); ++f) {
     workspace_.friction[f].change = problem_.friction(f).J * direction_;
+    workspace_.friction[f].s -= workspace_.friction[f].change;
+  }
+  finish_gradient(z);
 }
 
 template <int N, class Scalar>
-void ConstraintNewton<N, Scalar>::move(Unknowns<N>& z, double t) noexcept {
-  z += t * direction_;
-  for (const int g : workspace_.near_groups) workspace_.violation[g] -= t * workspace_.change[g];
-  for (int f = 0; f < problem_.friction_count(); ++f) workspace_.friction[f].s -= t * workspace_.friction[f].change;
+void ConstraintNewton<N, Scalar>::step_back(Unknowns<N>& z, double back) noexcept {
+  z -= back * direction_;
+  begin_gradient();
+  for (const int g : workspace_.near_groups) {
+    const Lanes v = Lanes::load(workspace_.violation[g]) + Lanes::load(workspace_.change[g]) * back;
+    v.store(workspace_.violation[g]);
+    add_group_to_gradient(g, v);
+  }
+  for (int f = 0; f < problem_.friction_count(); ++f) workspace_.friction[f].s += back * workspace_.friction[f].change;
+  finish_gradient(z);
 }
 
 // First and second derivative of the objective along the direction, `back` before z.
@@ -207,16 +216,18 @@ template <int N, class Scalar>
 auto ConstraintNewton<N, Scalar>::slope_before(const Unknowns<N>& z, double back) const noexcept -> Slope {
   const Unknowns<N> K_direction = problem_.K() * direction_;
   Slope slope{K_direction.dot(z) - back * K_direction.dot(direction_), K_direction.dot(direction_)};
-  RowLanes first = RowLanes::Zero(), second = RowLanes::Zero();
+  Pair first{}, second{};
   for (const int g : workspace_.near_groups) {
-    const RowLanes& change = workspace_.change[g];
-    const RowLanes v = (workspace_.violation[g] + back * change).max(0.0);
-    const RowLanes weighted = change * compliances_[g].stiffness;
-    first += weighted * v;
-    second += (v > 0.0).select(weighted * change, 0.0);
+    const Lanes change = Lanes::load(workspace_.change[g]);
+    const Lanes v = Lanes::load(workspace_.violation[g]) + change * back;
+    const unsigned bits = v.above(0.0);
+    if (bits == 0) continue;
+    const Lanes weighted = change * Lanes::load(compliances_[g].stiffness);
+    first += (weighted * v.positive()).fold();
+    second += (weighted * change * Lanes::of(bits)).fold();
   }
-  slope.first -= first.sum();
-  slope.second += second.sum();
+  slope.first -= sum(first);
+  slope.second += sum(second);
   for (int f = 0; f < problem_.friction_count(); ++f) {
     const auto& state = workspace_.friction[f];
     const EllipsoidForce response =
@@ -257,17 +268,19 @@ double ConstraintNewton<N, Scalar>::stationarity_bound(const Unknowns<N>& z, dou
 template <int N, class Scalar>
 void ConstraintNewton<N, Scalar>::step_on_guess(Unknowns<N>& z) noexcept {
   const Unknowns<N> x = problem_.x_free() + z;
-  gradient_ = problem_.K() * z;
+  begin_gradient();
   for (std::size_t i = 0; i < workspace_.guess_groups.size(); ++i) {
     const int g = workspace_.guess_groups[i];
     if (g >= problem_.group_count()) break;
     const RowGroup<N>& rows = problem_.groups()[g];
-    const RowLanes weight = lanes_of(workspace_.guess_active[i]) * compliances_[g].stiffness;
-    const RowLanes force = (rows.b - rows_times<N>(rows, x)) * weight;
-    for (int j = 0; j < N; ++j) gradient_[j] -= pair_product(&rows.J(0, j), force.data()).sum();
+    const Lanes weight = Lanes::of(workspace_.guess_active[i]) * Lanes::load(compliances_[g].stiffness);
+    const Lanes force = (Lanes::load(rows.b) - rows_times<N>(rows, x)) * weight;
+    for (int j = 0; j < N; ++j) push_[j] += (Lanes::load(rows.J.data() + j * kRowLanes) * force).fold();
     add_group_to_matrix(g, weight);
     workspace_.active[g] = workspace_.guess_active[i];
   }
+  gradient_ = problem_.K() * z;
+  for (int j = 0; j < N; ++j) gradient_[j] -= sum(push_[j]);
   for (int f = 0; f < problem_.friction_count(); ++f)
     workspace_.friction[f].previous[0] = f < workspace_.guess_friction_count && workspace_.friction[f].sticks;
   scan_friction(x, false);
@@ -282,6 +295,7 @@ void ConstraintNewton<N, Scalar>::step_on_guess(Unknowns<N>& z) noexcept {
     }
     gradient_ -= block.J.transpose() * state.force;
   }
+  start_residual_ = stationarity();
   find_direction();
   z += direction_;
   reach_ = 0.5 * std::sqrt(direction_.dot(problem_.K() * direction_));
@@ -289,10 +303,15 @@ void ConstraintNewton<N, Scalar>::step_on_guess(Unknowns<N>& z) noexcept {
 
 template <int N, class Scalar>
 bool ConstraintNewton<N, Scalar>::minimise(Unknowns<N>& z) noexcept {
-  constexpr double kAcceptable = 100.0;  // of the bound, where rounding stops progress
-  evaluate(z);
+  constexpr double kAcceptable = 100.0;    // of the bound, where rounding stops progress
+  constexpr double kFreeResidual = 1e-14;  // of that at the start
   double residual = stationarity();
+  const double start = std::max(residual, start_residual_);
+  int rescans = 0;
   for (int i = 0; i < kIterationLimit; ++i) {
+    if (force_sum_ == 0.0 && residual <= kFreeResidual * start)
+      z.setZero();  // free: without the rounding of the way here
+    if (z.isZero(0.0) && force_sum_ == 0.0) return true;
     if (residual <= stationarity_bound(z, tolerance::kStationarity)) return true;
     ++iterations_;
     update_active_set();
@@ -300,21 +319,14 @@ bool ConstraintNewton<N, Scalar>::minimise(Unknowns<N>& z) noexcept {
     const double initial_slope = gradient_.dot(direction_);
     const double length = std::sqrt(direction_.dot(problem_.K() * direction_));
     if (length > reach_) {
-      // The step may reach rows that were set aside: take all into account from here on.
-      reach_ = std::numeric_limits<double>::infinity();
+      // The step may touch rows that were set aside: look again, further; after a few times at all of them.
+      reach_ = rescans++ < kRescanLimit ? kReachFactor * length : std::numeric_limits<double>::infinity();
       scan(z, shifted_);
-      evaluate(z);
-      residual = stationarity();
-      continue;
     }
     reach_ -= length;
-    compute_change();
-    move(z, 1.0);
-    evaluate(z);
-    if (gradient_.dot(direction_) > tolerance::kLineSearchSlope * std::abs(initial_slope)) {
-      move(z, -search_back(z, initial_slope));
-      evaluate(z);
-    }
+    step(z);
+    if (gradient_.dot(direction_) > tolerance::kLineSearchSlope * std::abs(initial_slope))
+      step_back(z, search_back(z, initial_slope));
     const double before = residual;
     residual = stationarity();
     // Where only rounding is left the residual no longer falls.

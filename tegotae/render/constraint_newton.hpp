@@ -2,6 +2,9 @@
 #pragma once
 
 #include <tegotae/render/constraint_problem.hpp>
+#include <tegotae/render/row_lanes.hpp>
+
+#include <type_traits>
 
 namespace tegotae::internal {
 
@@ -29,18 +32,21 @@ class ConstraintNewton {
 
  private:
   using Matrix = Eigen::Matrix<Scalar, N, N, Eigen::DontAlign>;
+  using MatrixSum = std::conditional_t<std::is_same_v<Scalar, double>, Pair, Scalar>;
   struct Slope {
     double first, second;
   };
 
   void scan_friction(const Unknowns<N>& x, bool shifted) noexcept;
-  void add_group_to_matrix(int group, const RowLanes& weight) noexcept;
-  void evaluate(const Unknowns<N>& z) noexcept;
+  void add_group_to_matrix(int group, const Lanes& weight) noexcept;
+  void begin_gradient() noexcept;
+  void add_group_to_gradient(int group, const Lanes& violation) noexcept;
+  void finish_gradient(const Unknowns<N>& z) noexcept;
   void evaluate_friction() noexcept;
   void update_active_set() noexcept;
   void find_direction() noexcept;
-  void compute_change() noexcept;
-  void move(Unknowns<N>& z, double t) noexcept;
+  void step(Unknowns<N>& z) noexcept;
+  void step_back(Unknowns<N>& z, double back) noexcept;
   Slope slope_before(const Unknowns<N>& z, double back) const noexcept;
   double search_back(const Unknowns<N>& z, double initial_slope) noexcept;
   double stationarity() const noexcept;
@@ -50,11 +56,13 @@ class ConstraintNewton {
   const RowCompliance* compliances_;
   ConstraintWorkspace<N>& workspace_;
 
-  Matrix contact_matrix_ = Matrix::Zero();  ///< sum of J^T J / c over the active rows, lower triangle
-  Unknowns<N> gradient_;                    ///< K z - J^T lambda
+  MatrixSum contact_matrix_[N][N];  ///< sum of J^T J / c over the active rows, lower triangle
+  Pair push_[N], push_sum_;         ///< J^T lambda and the sum of all lambda
+  Unknowns<N> gradient_;            ///< K z - J^T lambda
   Unknowns<N> direction_;
-  double force_sum_ = 0.0;  ///< bound of the sum of |J_i^T lambda_i| in the norm of K^-1
-  double reach_;            ///< movement |change of z|_K that the near groups still cover
+  double start_residual_ = 0.0;  ///< stationarity before the step on the guess
+  double force_sum_ = 0.0;       ///< bound of the sum of |J_i^T lambda_i| in the norm of K^-1
+  double reach_ = 0.0;           ///< movement |change of z|_K that the near groups still cover
   bool shifted_ = false;
   int iterations_ = 0;
   int line_search_steps_ = 0;

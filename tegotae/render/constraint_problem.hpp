@@ -113,7 +113,7 @@ class ConstraintProblem {
   /// Least compliance of a row relative to the coupling's own: c / row_norm()^2 over the contact rows and
   /// c_j / (J_j K^-1 J_j^T) over the friction components that can carry force; infinity without any.
   double least_relative_compliance() const noexcept {
-    const double contact = contact_count_ > 0 ? least_compliance_ / row_norm_squared_ : least_compliance_;
+    const double contact = row_norm_squared_ > 0.0 ? least_compliance_ / row_norm_squared_ : HUGE_VAL;
     return std::min(contact, least_friction_compliance_);
   }
 

@@ -47,10 +47,23 @@ void store(const ConstraintProblem<N>& problem, const RowCompliance* compliances
   solution.force = problem.K() * z;
 }
 
+// sqrt(J K^-1 J^T) of a friction component that can carry force, 0 of others.
+template <int N>
+double component_norm(const ConstraintProblem<N>& problem, int block, int component) noexcept {
+  const FrictionBlock<N>& friction = problem.friction(block);
+  if (!(friction.radius[component] > 0.0)) return 0.0;
+  const Unknowns<N> J = friction.J.row(component).transpose();
+  return std::sqrt(J.dot(problem.K_inverse() * J));
+}
+
+// A hard component that moves with no unknown, or carries no force, must not divide by zero.
+double usable_compliance(double c) noexcept { return c > 0.0 ? c : 1.0; }
+
 template <int N>
 bool solve_compliant(const ConstraintProblem<N>& problem, const Unknowns<N>& x_start, ConstraintWorkspace<N>& workspace,
                      ConstraintSolution<N>& solution) noexcept {
-  for (int f = 0; f < problem.friction_count(); ++f) workspace.friction[f].compliance = problem.friction(f).compliance;
+  for (int f = 0; f < problem.friction_count(); ++f)
+    workspace.friction[f].compliance = problem.friction(f).compliance.unaryExpr(&usable_compliance);
   Unknowns<N> z = x_start - problem.x_free();
   internal::ConstraintNewton<N, double> newton(problem, problem.compliances(), workspace);
   if (!workspace.guess_groups.empty()) newton.step_on_guess(z);
@@ -71,18 +84,17 @@ void regularise(const ConstraintProblem<N>& problem, double sigma, ConstraintWor
     regularised.c = problem.compliances()[g].c.max(row_sigma);
     regularised.stiffness = regularised.c.inverse();
   }
-  for (int f = 0; f < problem.friction_count(); ++f) {
-    const FrictionBlock<N>& block = problem.friction(f);
+  for (int f = 0; f < problem.friction_count(); ++f)
     for (int j = 0; j < 3; ++j) {
-      const Unknowns<N> J = block.J.row(j).transpose();
-      const double own = J.dot(problem.K_inverse() * J);
-      workspace.friction[f].compliance[j] = std::max(block.compliance[j], sigma * own);
+      const double norm = component_norm(problem, f, j);
+      const double compliance = std::max(problem.friction(f).compliance[j], sigma * norm * norm);
+      workspace.friction[f].compliance[j] = usable_compliance(compliance);
     }
-  }
 }
 
 // Takes the stage's multipliers as the next stage's proximal centre. Returns the greatest remaining violation of the
-// law 0 <= lambda complementary to J x + c lambda - b >= 0, which is (sigma - c) times the change of lambda.
+// law 0 <= lambda complementary to J x + c lambda - b >= 0, which is (sigma - c) times the change of lambda, divided by
+// the row's norm.
 template <int N>
 double advance_centre(const ConstraintProblem<N>& problem, ConstraintWorkspace<N>& workspace) noexcept {
   double violation = 0.0;
@@ -93,25 +105,30 @@ double advance_centre(const ConstraintProblem<N>& problem, ConstraintWorkspace<N
     violation = std::max(violation, (added * (lambda - workspace.previous[g])).abs().maxCoeff());
     workspace.previous[g] = lambda;
   }
+  if (violation > 0.0) violation /= problem.row_norm();
   for (int f = 0; f < problem.friction_count(); ++f) {
     auto& state = workspace.friction[f];
-    const Vector3 added = state.compliance - problem.friction(f).compliance;
-    const Vector3 change = added.cwiseProduct(state.force - state.previous);
-    const Vector3 lever = added.cwiseSqrt() / std::sqrt(std::max(added.maxCoeff(), 1e-300));
-    if (added.maxCoeff() > 0.0)
-      for (int j = 0; j < 3; ++j)
-        if (added[j] > 0.0) violation = std::max(violation, std::abs(change[j]) / lever[j]);
+    for (int j = 0; j < 3; ++j) {
+      const double norm = component_norm(problem, f, j);
+      const double added = state.compliance[j] - problem.friction(f).compliance[j];
+      if (norm > 0.0) violation = std::max(violation, std::abs(added * (state.force[j] - state.previous[j])) / norm);
+    }
     state.previous = state.force;
   }
   return violation;
 }
 
+// Greatest violation of the hard limits in the workspace, divided by the rows' norms.
 template <int N>
 double greatest_violation(const ConstraintProblem<N>& problem, const ConstraintWorkspace<N>& workspace) noexcept {
   double greatest = 0.0;
   for (int g = 0; g < problem.group_count(); ++g) greatest = std::max(greatest, workspace.violation[g].maxCoeff());
+  if (greatest > 0.0) greatest /= problem.row_norm();
   for (int f = 0; f < problem.friction_count(); ++f)
-    greatest = std::max(greatest, workspace.friction[f].s.cwiseAbs().maxCoeff());
+    for (int j = 0; j < 3; ++j) {
+      const double norm = component_norm(problem, f, j);
+      if (norm > 0.0) greatest = std::max(greatest, std::abs(workspace.friction[f].s[j]) / norm);
+    }
   return greatest;
 }
 
@@ -122,6 +139,7 @@ ConstraintStatus solve_nearly_hard(const ConstraintProblem<N>& problem, Constrai
   for (int f = 0; f < problem.friction_count(); ++f) workspace.friction[f].previous.setZero();
   Unknowns<N> z = Unknowns<N>::Zero();
   double sigma = kFirstSigma, scale = 0.0, violation = 0.0;
+  const bool hard = problem.least_relative_compliance() < kLastSigma;
   int without_progress = 0;
   bool converged = false;
   ConstraintStatus status = ConstraintStatus::kIterationLimit;
@@ -138,7 +156,8 @@ ConstraintStatus solve_nearly_hard(const ConstraintProblem<N>& problem, Constrai
     violation = advance_centre(problem, workspace);
     if (violation <= tolerance::kHardRowViolation * scale) break;
     without_progress = stage > 0 && violation > 0.5 * before ? without_progress + 1 : 0;
-    if (without_progress >= 2 && violation > tolerance::kClearlyInfeasibleViolation * scale) break;
+    // Not for rows that have some compliance: a later stage reaches it, and then nothing is left.
+    if (hard && without_progress >= 2 && violation > tolerance::kClearlyInfeasibleViolation * scale) break;
     sigma = std::max(kLastSigma, sigma * kSigmaRatio);
   }
   if (violation > tolerance::kInfeasibleViolation * scale)
