@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tegotae/contact/clip_workspace.hpp>
 #include <tegotae/contact/intersection.hpp>
 #include <tegotae/model/intermediate_representation.hpp>
 #include <tegotae/model/near_object_search.hpp>
@@ -29,6 +30,8 @@ class RepresentationBuilder {
              IntermediateRepresentation& model);
 
  private:
+  RepresentationBuilder(const SceneGeometry& geometry, int vertices, int faces);
+
   void add_plane(const NearPair& pair, std::span<const BodyState> bodies, IntermediateRepresentation& model) const;
   void find_points(const NearPair& pair, const Pose& X_WT, std::span<const BodyState> bodies);
   void add_points(ContactPlane& plane, IntermediateRepresentation& model);

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/runtime/haptic_tick.hpp>
+
+#include <limits>
+#include <utility>
+
+namespace tegotae {
+
+HapticTick::HapticTick(RenderingMethod method, const Tool& tool, const SafetyLimits& limits, double period)
+    : method_(std::move(method)), p_TCm_(tool.mass.centre_of_mass), limits_(limits), period_(period) {
+  state_.X_WT = tool.X_WT;
+}
+
+InterfaceCommand HapticTick::operator()(const InterfaceState& state, const IntermediateRepresentation* fresh,
+                                        const Circumstances& circumstances, TickRecord& record) noexcept {
+  state_ = held(state);
+  const IntermediateRepresentation& model = model_at(state_.time, fresh);
+
+  render(method_, {model, state_.X_WT, period_}, rendered_);
+  if (!pose_valid_) {
+    rendered_.wrench = {};
+    rendered_.status = RenderStatus::kInvalidInput;
+  }
+
+  const Vector3 p_WCm = state_.X_WT * p_TCm_;
+  const Vector3 arm = p_WCm - state_.X_WT.p;
+  const SafetyOutput safe = limit(model, state_.time, arm, circumstances);
+  const Wrench displayed = safe.displayed.shifted(-arm);  // about the centre of mass
+  push_bodies(displayed, p_WCm);
+
+  record.safety_events = safe.events;
+  write(model, displayed, record);
+  ++tick_count_;
+  return {safe.displayed, 0.0};
+}
+
+// A pose that is not finite: the hand is where it was last seen, and nothing is displayed.
+InterfaceState HapticTick::held(const InterfaceState& state) noexcept {
+  InterfaceState result = state_;
+  result.time = state.time;
+  pose_valid_ = state.X_WT.is_finite() && state.V_WT.is_finite() && state.X_WT.q.squaredNorm() > 0.25;
+  if (!pose_valid_) {
+    result.V_WT = {};
+    return result;
+  }
+  result = state;
+  result.X_WT.q.normalize();
+  return result;
+}
+
+// Between two models the contact state is taken to change linearly, over the period of the newest.
+const IntermediateRepresentation& HapticTick::model_at(double time, const IntermediateRepresentation* fresh) noexcept {
+  if (fresh != nullptr) {
+    interpolator_.accept(*fresh);
+    model_arrival_ = time;
+  }
+  const double period = interpolator_.newest_period();
+  return interpolator_.at(period > 0.0 ? (time - model_arrival_) / period : 1.0);
+}
+
+SafetyOutput HapticTick::limit(const IntermediateRepresentation& model, double time, const Vector3& arm,
+                               const Circumstances& circumstances) noexcept {
+  SafetyInput input;
+  input.target = rendered_.wrench.shifted(arm);  // about the grip
+  input.elapsed = period_;
+  input.model_age = model.sequence > 0 ? time - model.time : std::numeric_limits<double>::infinity();
+  input.interface_lost = circumstances.interface_lost;
+  input.ending = circumstances.ending;
+  return apply_safety(limits_, safety_, input);
+}
+
+void HapticTick::push_bodies(const Wrench& displayed, const Vector3& p_WCm) noexcept {
+  rendered_.bodies.match(displayed, p_WCm);
+  for (const BodyWrench& body : rendered_.bodies.moving()) impulses_.add(body.moving_index, body.on_body, period_);
+}
+
+void HapticTick::write(const IntermediateRepresentation& model, const Wrench& displayed,
+                       TickRecord& record) const noexcept {
+  record.time = state_.time;
+  record.X_WT = state_.X_WT;
+  record.wrench = rendered_.wrench;
+  record.displayed = displayed;
+  record.X_WP = rendered_.X_WP;
+  record.deepest = rendered_.deepest;
+  record.model_age = state_.time - model.time;
+  record.model_sequence = model.sequence;
+  record.near_objects = model.near_object_count;
+  record.planes = model.plane_count;
+  record.contact_points = model.point_count;
+  record.constraints = rendered_.constraint_count;
+  record.active = rendered_.active_count;
+  record.solver_iterations = rendered_.solver_iterations;
+  record.dropped = model.dropped_planes + model.dropped_points;
+  record.status = static_cast<std::uint8_t>(rendered_.status);
+}
+
+void HapticTick::fill(ImpulseSums& message, int body_count) const noexcept {
+  message.sequence = tick_count_;
+  message.time = state_.time;
+  message.X_WT = state_.X_WT;
+  message.V_WT = state_.V_WT;
+  impulses_.fill(message, body_count);
+}
+
+}  // namespace tegotae

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/runtime/physics_loop.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace tegotae {
+namespace {
+
+double radius_of(const Tool& tool) {
+  double radius = 0.0;
+  for (const Shape& piece : tool.pieces) {
+    const double own = piece.polytope ? piece.polytope->radius + piece.polytope_error : 0.0;
+    radius = std::max(radius, piece.X_BS.p.norm() + own);
+  }
+  return radius;
+}
+
+void require_positive(const char* what, double value) {
+  if (std::isfinite(value) && value > 0.0) return;
+  throw std::invalid_argument("the " + std::string(what) + " must be positive, not " + std::to_string(value));
+}
+
+}  // namespace
+
+PhysicsLoop::PhysicsLoop(World& world, const Settings& settings)
+    : world_(world),
+      settings_(settings),
+      tool_radius_(radius_of(world.geometry().tool)),
+      search_(world.geometry()),
+      builder_(world.geometry()),
+      bodies_(static_cast<size_t>(world.geometry().moving_count)),
+      impulses_(bodies_.size()) {
+  require_positive("physics period (s)", settings.period);
+  require_positive("margin (m)", settings.margin);
+  if (world.geometry().moving_count > kMaxMovingBodies) {
+    throw std::invalid_argument("the world moves " + std::to_string(world.geometry().moving_count) +
+                                " bodies; at most " + std::to_string(kMaxMovingBodies) + " can be pushed");
+  }
+}
+
+// A model appears one period after the state that it was made from and is interpolated towards for another, and then
+// serves until the next: two periods of motion.
+Reach PhysicsLoop::reach(const ToolState& tool) const {
+  const double speed = tool.V_WT.linear.norm() + tool.V_WT.angular.norm() * tool_radius_;
+  return {settings_.margin, 2.0 * settings_.period, std::isfinite(speed) ? speed : 0.0};
+}
+
+void PhysicsLoop::build(double time, const ToolState& tool, IntermediateRepresentation& model) {
+  world_.read_bodies(bodies_);
+  const auto pairs = search_.find(tool.X_WT, bodies_, reach(tool));
+  builder_.build(pairs, tool.X_WT, bodies_, model);
+  model.sequence = ++sequence_;
+  model.time = time;
+  model.period = settings_.period;
+}
+
+void PhysicsLoop::step(double time, const ImpulseSums& haptics, IntermediateRepresentation& model) {
+  const ToolState tool{haptics.X_WT, haptics.V_WT};
+  differences_.take(haptics, impulses_);
+  build(time, tool, model);
+  world_.advance(settings_.period, tool, impulses_);
+}
+
+}  // namespace tegotae

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/runtime/simulated_session.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+namespace tegotae {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double microseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+}
+
+// The physics side in simulated time: models that are being made and the one that is ready.
+class SimulatedPhysics {
+ public:
+  SimulatedPhysics(PhysicsLoop& loop, const ToolState& tool)
+      : loop_(loop),
+        ready_(std::make_unique<IntermediateRepresentation>()),
+        pending_(std::make_unique<IntermediateRepresentation>()) {
+    loop_.build(-loop_.settings().period, tool, *ready_);
+  }
+
+  /// The model that becomes visible at `time`, or null.
+  const IntermediateRepresentation* advance_to(double time, const ImpulseSums& haptics) {
+    // Half a nanosecond: sums of periods are not exact.
+    constexpr double kRounding = 5e-10;
+    if (steps_ == 0 || time + kRounding >= static_cast<double>(steps_) * loop_.settings().period) {
+      if (steps_ > 0) std::swap(ready_, pending_);
+      loop_.step(static_cast<double>(steps_) * loop_.settings().period, haptics, *pending_);
+      ++steps_;
+      return ready_.get();
+    }
+    return nullptr;
+  }
+
+ private:
+  PhysicsLoop& loop_;
+  std::unique_ptr<IntermediateRepresentation> ready_, pending_;
+  long steps_ = 0;
+};
+
+}  // namespace
+
+void run_simulated(PhysicsLoop& physics, HapticTick& haptics, HapticInterface& interface, double haptic_period,
+                   double duration, const TickObserver& observer) {
+  InterfaceState state;
+  HapticTick::Circumstances circumstances;
+  circumstances.interface_lost = interface.read(0.0, state) != InterfaceStatus::kOk;
+  SimulatedPhysics simulated(physics, {state.X_WT, state.V_WT});
+  auto message = std::make_unique<ImpulseSums>();
+  message->X_WT = state.X_WT;
+  message->V_WT = state.V_WT;
+
+  const long ticks = static_cast<long>(std::floor(duration / haptic_period * (1.0 + 1e-12))) + 1;
+  for (long tick = 0; tick < ticks; ++tick) {
+    const double time = static_cast<double>(tick) * haptic_period;
+    circumstances.interface_lost = interface.read(time, state) != InterfaceStatus::kOk;
+    const IntermediateRepresentation* fresh = simulated.advance_to(time, *message);
+    TickRecord record;
+    const Clock::time_point start = Clock::now();
+    const InterfaceCommand command = haptics(state, fresh, circumstances, record);
+    record.tick_us = microseconds_since(start);
+    interface.write(command);
+    haptics.fill(*message, physics.body_count());
+    if (!observer(record)) return;
+  }
+}
+
+}  // namespace tegotae
