@@ -39,7 +39,8 @@ TEST(SafetyLimits, RatesAllowTheStrikesThatTheyAreMadeFor) {
   strike.grip_arm = kGripArm;
   for (const double length : {0.01, 0.08, 1.0}) {
     const SafetyLimits limits = safety_limits(InterfaceCapability(), kStiffness, length, 0.05, strike);
-    for (double x = 0.0; x < 2.0; x += 0.001) {  // lever arm of the contact point, m
+    for (int millimetres = 0; millimetres < 2000; ++millimetres) {
+      const double x = 1e-3 * millimetres;  // lever arm of the contact point, m
       const double force_growth = kStiffness * strike.speed / (1.0 + x * x / (length * length));
       EXPECT_LE(strike.margin * force_growth, limits.force_rate * (1.0 + 1e-12));
       EXPECT_LE(strike.margin * force_growth * (x + kGripArm), limits.torque_rate);
