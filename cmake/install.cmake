@@ -6,7 +6,7 @@ install(DIRECTORY tegotae DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/tegotae)
 install(EXPORT tegotae-targets NAMESPACE tegotae:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tegotae)
 configure_package_config_file(cmake/tegotae-config.cmake.in tegotae-config.cmake
-  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tegotae)
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tegotae PATH_VARS CMAKE_INSTALL_DATADIR)
 write_basic_package_version_file(tegotae-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/tegotae-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/tegotae-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tegotae)

@@ -89,7 +89,8 @@ TEST(BoundingBox, PlaneClosesOnlyTheSideOfAnAlignedNormal) {
   const BoundingBox level = bounding_box(make_plane(), Pose{{0.0, 0.0, 0.5}, Quaternion::Identity()});
   EXPECT_EQ(level.upper.z(), 0.5);
   EXPECT_TRUE(std::isinf(level.upper.x()) && std::isinf(level.lower.z()));
-  const BoundingBox tilted = bounding_box(make_plane(), Pose{{}, rotation_from_vector(Vector3(0.1, 0.0, 0.0))});
+  const BoundingBox tilted =
+      bounding_box(make_plane(), Pose{Vector3::Zero(), rotation_from_vector(Vector3(0.1, 0.0, 0.0))});
   EXPECT_TRUE(std::isinf(tilted.upper.z()));
 }
 
