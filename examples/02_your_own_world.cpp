@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The renderer with objects of your own and no physics engine: a ball pressed against a wall of two boxes.
+// Objects of your own and no physics engine: a ball pressed against a wall of two boxes.
 #include <tegotae/runtime/haptic_tick.hpp>
 #include <tegotae/runtime/physics_loop.hpp>
 
@@ -27,14 +27,13 @@ int main() {
   TwoBoxes world;
   const Tool& tool = world.geometry().tool;
   PhysicsLoop physics(world, {0.01, 0.002});  // your loop, at its rate
-  HapticTick haptics(make_method("paper", {}, world.geometry().tool), world.geometry().tool, SafetyLimits{}, 0.001);
+  HapticTick haptics(make_method("paper", {}, tool), tool, SafetyLimits{}, 0.001);
   const auto model = std::make_unique<IntermediateRepresentation>();
   InterfaceState hand;
   hand.X_WT.p = Vector3(0.1195, 0.0, 0.05);  // 0.5 mm into the wall
   physics.build(0.0, {hand.X_WT, {}}, *model);
   TickRecord tick;
   const InterfaceCommand command = haptics(hand, model.get(), {}, tick);  // goes to the interface, swelling from 0
-  std::printf("the method: %.3f N, commanded on the first tick: %.3f N\n", tick.wrench.force.x,
-              command.wrench.force.x());
+  std::printf("method %.3f N, first command %.3f N\n", tick.wrench.force.x, command.wrench.force.x());
   return std::abs(tick.wrench.force.x - 0.5) < 0.005 ? 0 : 1;  // 1000 N/m times 0.5 mm
 }
