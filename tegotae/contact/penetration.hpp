@@ -29,8 +29,10 @@ Penetration penetration(const PlacedShape& tool, const PlacedShape& object, Clos
 /// as translation along that face's normal is a local minimum; so a tool pressed through a thin plate is pushed back
 /// out of the side that it came in by, where the global minimum changes sides at half the plate's thickness. The local
 /// minimum vanishes where the point of least translation runs over the edge of its Minkowski face (the tool slides off
-/// the object's rim), or where the shapes part: the descent then goes on to the neighbouring minimum.
-/// Accuracy, validity, bounds and cache as `penetration`.
+/// the object's rim), or where the shapes part: the descent then goes on to the neighbouring minimum, and the normal
+/// jumps.
+/// Ask it only for a pair that is not separated: of one that is, from a start on the far side, it gives the minimum
+/// there. Accuracy, validity, bounds and cache as `penetration`.
 Penetration penetration_from(const PlacedShape& tool, const PlacedShape& object, const Vector3& n_start_W,
                              ClosestPointsCache& cache) noexcept;
 
