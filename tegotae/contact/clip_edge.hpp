@@ -26,7 +26,7 @@ ClipEntry clip_entry(const Locator& body, const Vector3& from, const Vector3& to
     const Vector3 p = from + t * (to - from);
     const Located worst = body.locate(p, plane);
     if (worst.slack <= tolerances::kOnPlane || worst.plane == plane) {
-      return {true, t, body.face(body.lowest_through(p, plane))};
+      return {true, t, body.face(body.lowest_entered(p, from, plane))};
     }
     plane = worst.plane;
   }

@@ -25,6 +25,12 @@ struct Located {
   double slack = 0.0;  ///< m, of that plane
 };
 
+/// Whether a segment that comes from `from` passes through `plane` at `p`.
+template <class Locator>
+bool is_entered(const Locator& body, int plane, const Vector3& p, const Vector3& from) noexcept {
+  return body.slack(plane, p) >= -tolerances::kOnPlane && body.slack(plane, from) > tolerances::kOnPlane;
+}
+
 /// Looks at every plane: right for any set of planes.
 class PlaneScan {
  public:
@@ -44,11 +50,11 @@ class PlaneScan {
     }
     return worst;
   }
-  /// Of the planes that meet in `p`, a point of `plane`, the one of the lowest face.
-  int lowest_through(const Vector3& p, int plane) const noexcept {
+  /// Of the planes that meet in `p`, a point of `plane`, and exclude `from`, the one of the lowest face.
+  int lowest_entered(const Vector3& p, const Vector3& from, int plane) const noexcept {
     int lowest = plane;
     for (int k = 0; k < static_cast<int>(planes_.size()); ++k) {
-      if (face(k) < face(lowest) && slack(k, p) >= -tolerances::kOnPlane) lowest = k;
+      if (face(k) < face(lowest) && is_entered(*this, k, p, from)) lowest = k;
     }
     return lowest;
   }
@@ -85,10 +91,10 @@ class FaceWalk {
     }
     return {best, slack(best, p)};
   }
-  int lowest_through(const Vector3& p, int plane) const noexcept {
+  int lowest_entered(const Vector3& p, const Vector3& from, int plane) const noexcept {
     int lowest = plane;
     for (const int neighbor : polytope_.neighbors_of(polytope_.faces[static_cast<size_t>(plane)])) {
-      if (neighbor < lowest && slack(neighbor, p) >= -tolerances::kOnPlane) lowest = neighbor;
+      if (neighbor < lowest && is_entered(*this, neighbor, p, from)) lowest = neighbor;
     }
     return lowest;
   }
