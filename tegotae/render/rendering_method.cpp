@@ -35,11 +35,14 @@ Coupling make_coupling(const MethodSettings& settings, double default_metric_len
 
 std::span<const MethodName> method_names() noexcept { return kMethods; }
 
+double default_metric_length(std::string_view name, const Tool& tool) {
+  constexpr double kPaperMetricLength = 1.0;
+  return name == "paper" ? kPaperMetricLength : tool.mass.gyration_length();
+}
+
 RenderingMethod make_method(std::string_view name, const MethodSettings& settings, const Tool& tool) {
   if (name == "paper") {
-    // The paper's equations give translation and rotation one stiffness: the metric length of 1 m.
-    constexpr double kPaperMetricLength = 1.0;
-    return PaperMethod({make_coupling(settings, kPaperMetricLength), settings.constraint_set},
+    return PaperMethod({make_coupling(settings, default_metric_length(name, tool)), settings.constraint_set},
                        tool.mass.centre_of_mass);
   }
   std::string names;

@@ -18,7 +18,7 @@ using RenderingMethod = std::variant<PaperMethod>;
 struct MethodSettings {
   double stiffness = 1000.0;  ///< N/m, > 0
   double damping = 0.0;       ///< N s/m, >= 0
-  /// m, > 0. Not set: the method's own default, 1 m for `paper`, the tool's gyration length for every other.
+  /// m, > 0. Not set: `default_metric_length`.
   std::optional<double> metric_length;
   ConstraintSet constraint_set = ConstraintSet::kPenetratingPoints;  ///< of `paper`
 };
@@ -29,6 +29,10 @@ struct MethodName {
   std::string_view summary;
 };
 std::span<const MethodName> method_names() noexcept;
+
+/// The metric length (m) that the method called `name` has unless one is set: 1 m for `paper`, whose equations give
+/// translation and rotation one stiffness; the tool's gyration length for every other.
+double default_metric_length(std::string_view name, const Tool& tool);
 
 /// Makes the method called `name` for `tool`. Throws std::invalid_argument, with the names or the range permitted, if
 /// there is none of that name or a setting is out of range. Allocates.

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.hpp"
+#include "progress_line.hpp"
+#include "settings_options.hpp"
+#include "summary_table.hpp"
+
+#include <tegotae/lab/experiment_run.hpp>
+#include <tegotae/lab/input_error.hpp>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace tegotae {
+namespace {
+
+struct ExperimentOptions {
+  std::string name;
+  std::string folder;
+  bool list = false;
+  SettingsOptions settings;
+};
+
+void print_list() {
+  for (const Experiment& experiment : experiments()) fmt::print("{:<18}{}\n", experiment.name, experiment.summary);
+}
+
+const Experiment& chosen_experiment(const std::string& name) {
+  try {
+    return find_experiment(name);
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+ExperimentResult perform(const Experiment& experiment, const ExperimentRequest& request) {
+  ProgressLine progress(experiment.name);
+  return run_experiment(experiment, request, [&](double part) { progress.show(part); });
+}
+
+void run(const ExperimentOptions& options) {
+  if (options.list) return print_list();
+  if (options.name.empty()) throw UsageError("name an experiment; 'tegotae experiment --list' shows them.");
+  const Experiment& experiment = chosen_experiment(options.name);
+  ExperimentRequest request;
+  request.settings = options.settings.checked();
+  request.folder = options.folder;
+  if (options.folder.empty()) request.folder = std::filesystem::path("out") / experiment.name;
+
+  const ExperimentResult result = perform(experiment, request);
+  for (const std::string& warning : result.warnings) fmt::print(stderr, "tegotae: warning: {}\n", warning);
+  fmt::print("{}", summary_table(experiment, result));
+  const std::filesystem::path figures = draw_figures(experiment, result, request.folder);
+  fmt::print("\nfigures: {}\n", figures.string());
+}
+
+}  // namespace
+
+void add_experiment_command(CLI::App& program) {
+  auto options = std::make_shared<ExperimentOptions>();
+  CLI::App* const command =
+      program.add_subcommand("experiment", "Perform an experiment: samples, summary and figures.");
+  command->add_option("NAME", options->name, "Experiment to perform");
+  command->add_flag("--list", options->list, "List the experiments");
+  command->add_option("--out", options->folder, "Folder for the results; default: out/NAME")->type_name("DIR");
+  options->settings.add_method(*command);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tegotae

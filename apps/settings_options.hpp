@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/lab/session_settings.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+namespace tegotae {
+
+/// The options that say how to render, as they stand on the command line.
+struct SettingsOptions {
+  SettingsRequest request;
+  std::optional<std::string> metric_length;
+  std::optional<std::string> constraint_set;
+
+  void add_method(CLI::App& command);
+  void add_all(CLI::App& command);
+
+  /// What was asked for. Throws UsageError for names that are not there and values out of range.
+  SettingsRequest checked() const;
+};
+
+}  // namespace tegotae

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/device/trajectory.hpp>
+#include <tegotae/lab/figure.hpp>
+#include <tegotae/lab/session_settings.hpp>
+#include <tegotae/model/scene_geometry.hpp>
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tegotae {
+
+/// A part of an experiment that is summarised by itself.
+struct Phase {
+  std::string name;
+  std::string summary;
+  double begin = 0.0, end = 0.0;  ///< s; the end belongs to the next phase, but for the last
+};
+
+/// A direction along which the summary reports force or torque.
+struct ReportedAxis {
+  std::string name;  ///< "y"
+  Vector3 direction = Vector3::UnitZ();
+};
+
+/// One of the runs that an experiment compares.
+struct Variant {
+  std::string name;
+  std::string summary;
+  SettingsRequest settings;  ///< these win over the experiment's
+};
+
+/// A motion of a tool in a scene, and what to look at. Adding one: a file with a function that returns it, and a line
+/// in experiment.cpp.
+struct Experiment {
+  std::string name;
+  std::string summary;  ///< one line, for the list
+  std::string scene;    ///< file among the scenes
+  std::string tool;     ///< body in the scene
+  std::function<Trajectory(const Tool&)> motion;
+  std::vector<Phase> phases;
+  SettingsRequest settings;       ///< beyond what the scene says; these win over it
+  std::vector<Variant> variants;  ///< at least one; the first is written to samples.csv
+  ReportedAxis force_axis, torque_axis;
+  std::vector<Figure> figures;
+  std::string notes;  ///< what to look at, a few sentences
+};
+
+/// All experiments, in the order of the list.
+std::span<const Experiment> experiments();
+
+/// Throws InputError, with the names, where there is none called `name`.
+const Experiment& find_experiment(std::string_view name);
+
+}  // namespace tegotae

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/child_process.hpp>
+#include <tegotae/lab/figure.hpp>
+#include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/text_file.hpp>
+#include <tegotae/lab/thinning.hpp>
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string_view>
+
+namespace tegotae {
+namespace {
+
+// Of the picture, in pixels of the PNG and units of the SVG.
+constexpr int kWidth = 900, kTopHeight = 90, kPanelHeight = 260;
+
+// Points of a curve after thinning: about one a pixel.
+constexpr size_t kMaxPoints = 1600;
+
+std::vector<PlotPoint> points_of(const Figure& figure, const Curve& curve, const RunSamples& run) {
+  std::vector<PlotPoint> points;
+  points.reserve(run.records.size());
+  for (const TickRecord& record : run.records) {
+    points.push_back({figure.x(record, run.settings), curve.quantity(record, run.settings)});
+  }
+  return thinned(points, kMaxPoints);
+}
+
+// One block of "x y" lines a curve, in the order of the panels; gnuplot finds them by their index.
+std::string data_of(const Figure& figure, std::span<const RunSamples> runs) {
+  std::string text;
+  for (const Panel& panel : figure.panels) {
+    for (const Curve& curve : panel.curves) {
+      fmt::format_to(std::back_inserter(text), "# {}: {}\n", panel.label, curve.label);
+      for (const PlotPoint& point : points_of(figure, curve, runs[curve.variant])) {
+        fmt::format_to(std::back_inserter(text), "{:.7g} {:.7g}\n", point.x, point.y);
+      }
+      text.append("\n\n");
+    }
+  }
+  return text;
+}
+
+std::string commands_of_panel(const Figure& figure, const Panel& panel, int& index) {
+  std::string text = fmt::format("set ylabel \"{}\"\nplot ", panel.label);
+  for (size_t i = 0; i < panel.curves.size(); ++i) {
+    const Curve& curve = panel.curves[i];
+    const std::string title =
+        panel.curves.size() > 1 && !curve.label.empty() ? fmt::format("title \"{}\"", curve.label) : "notitle";
+    fmt::format_to(std::back_inserter(text), "{}'{}.dat' index {} with lines {} {}", i > 0 ? ", \\\n  " : "",
+                   figure.name, index,
+                   curve.is_reference ? "lw 1 dt 2 lc rgb '#202020'" : fmt::format("lw 2 lt {}", i + 1), title);
+    ++index;
+  }
+  return text + "\n";
+}
+
+// The same drawing for both formats.
+std::string script_of(const Figure& figure) {
+  const int height = kTopHeight + kPanelHeight * static_cast<int>(figure.panels.size());
+  std::string drawing =
+      fmt::format("set multiplot layout {},1 title \"{}\" font ',14'\n", figure.panels.size(), figure.title);
+  int index = 0;
+  for (size_t i = 0; i < figure.panels.size(); ++i) {
+    if (i + 1 == figure.panels.size()) drawing += fmt::format("set xlabel \"{}\"\n", figure.x_label);
+    drawing += commands_of_panel(figure, figure.panels[i], index);
+  }
+  drawing += "unset multiplot\nunset xlabel\n";
+
+  std::string script = "# Draws this figure again: gnuplot " + figure.name +
+                       ".gnuplot\nset grid\nset key outside top center horizontal\n" +
+                       "set lmargin 11\nset encoding utf8\n";
+  if (figure.x_descends) script += "set xrange [*:*] reverse\n";
+  script += fmt::format("set terminal svg size {},{} font 'sans,13' background rgb 'white'\nset output '{}.svg'\n",
+                        kWidth, height, figure.name);
+  script += drawing;
+  script += fmt::format("set terminal pngcairo size {},{} font 'sans,10' background rgb 'white'\nset output '{}.png'\n",
+                        kWidth, height, figure.name);
+  return script + drawing + "set output\n";
+}
+
+}  // namespace
+
+void draw(const Figure& figure, std::span<const RunSamples> runs, const std::filesystem::path& folder) {
+  make_folder(folder);
+  write_text(folder / (figure.name + ".dat"), data_of(figure, runs));
+  write_text(folder / (figure.name + ".gnuplot"), script_of(figure));
+  const ChildResult result = run_child({"gnuplot", figure.name + ".gnuplot"}, folder);
+  if (result.not_found) {
+    throw InputError("the figures cannot be drawn, as gnuplot is not there; install it (Debian: gnuplot-nox).");
+  }
+  if (result.exit_code != 0) {
+    throw InputError(fmt::format("{}: gnuplot failed with exit code {}; run 'gnuplot {}.gnuplot' there to see why.",
+                                 folder.string(), result.exit_code, figure.name));
+  }
+}
+
+}  // namespace tegotae

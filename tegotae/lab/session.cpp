@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/session.hpp>
+#include <tegotae/lab/tolerances.hpp>
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace tegotae {
+namespace {
+
+SafetyLimits limits_of(const SessionSettings& settings, const InterfaceCapability& interface, const Tool& tool) {
+  StrikeAllowance strike;
+  strike.grip_arm = tool.mass.centre_of_mass.norm();
+  SafetyLimits limits =
+      safety_limits(interface, settings.stiffness, settings.metric_length, 1.0 / settings.physics_rate, strike);
+  limits.period = 1.0 / settings.haptic_rate;
+  return limits;
+}
+
+}  // namespace
+
+Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const SessionSettings& settings)
+    : world_(std::move(world)),
+      settings_(settings),
+      start_(motion.start()),
+      duration_(motion.end() - motion.start()),
+      interface_(std::move(motion)),
+      physics_(*world_, {1.0 / settings.physics_rate, settings.margin}) {
+  if (duration_ * settings_.haptic_rate > tolerance::kMaxTicks) {
+    throw InputError(
+        fmt::format("the motion lasts {:g} s, which is {:g} ticks at {:g} Hz; at most {:g} are rendered: "
+                    "is its time in seconds?",
+                    duration_, duration_ * settings_.haptic_rate, settings_.haptic_rate, tolerance::kMaxTicks));
+  }
+  haptics_ =
+      std::make_unique<HapticTick>(settings_.make_method(tool()), tool(),
+                                   limits_of(settings_, interface_.capability(), tool()), 1.0 / settings_.haptic_rate);
+}
+
+void Session::run_simulated(const TickObserver& observer, const Progress& progress) {
+  constexpr long kTicksBetweenReports = 1000;
+  long ticks = 0;
+  tegotae::run_simulated(physics_, *haptics_, interface_, 1.0 / settings_.haptic_rate, duration_,
+                         [&](const TickRecord& record) {
+                           if (++ticks % kTicksBetweenReports == 0) progress(record.time / duration_);
+                           return observer(record);
+                         });
+}
+
+std::vector<std::string> Session::notes() const {
+  std::vector<std::string> lines = settings_.lines();
+  const Vector3& p_TCm = tool().mass.centre_of_mass;
+  lines.push_back(fmt::format("tool: {}", tool().name));
+  lines.push_back(fmt::format("centre of mass in the tool's frame: {} {} {} m", p_TCm.x(), p_TCm.y(), p_TCm.z()));
+  return lines;
+}
+
+SettingsRequest settings_of(const HapticSettingsInScene& scene) {
+  SettingsRequest request;
+  request.stiffness = scene.stiffness;
+  request.damping = scene.damping;
+  request.metric_length = scene.metric_length;
+  request.margin = scene.margin;
+  request.physics_rate = scene.physics_rate;
+  request.haptic_rate = scene.haptic_rate;
+  return request;
+}
+
+}  // namespace tegotae

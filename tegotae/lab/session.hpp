@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/device/playback_interface.hpp>
+#include <tegotae/lab/session_settings.hpp>
+#include <tegotae/runtime/simulated_session.hpp>
+#include <tegotae/world/mujoco_world.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tegotae {
+
+/// Told, from time to time, which part of a long work is done (0 to 1).
+using Progress = std::function<void(double)>;
+
+/// A recorded motion rendered on a scene: world, both loops and a hand that plays the motion. Used for one run, as
+/// the run moves the world.
+class Session {
+ public:
+  /// Throws InputError where the motion is too long for the haptic rate.
+  Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const SessionSettings& settings);
+
+  /// In simulated time, on this thread: every record but `tick_us` repeats bit for bit.
+  void run_simulated(const TickObserver& observer, const Progress& progress);
+
+  const SessionSettings& settings() const noexcept { return settings_; }
+  const MujocoWorld& world() const noexcept { return *world_; }
+  const Tool& tool() const { return world_->geometry().tool; }
+  double start() const noexcept { return start_; }  ///< s, first time of the motion
+
+  /// What identifies the session, a line each, for the head of files.
+  std::vector<std::string> notes() const;
+
+ private:
+  std::unique_ptr<MujocoWorld> world_;
+  SessionSettings settings_;
+  double start_, duration_;  ///< s
+  PlaybackInterface interface_;
+  PhysicsLoop physics_;
+  std::unique_ptr<HapticTick> haptics_;
+};
+
+/// The scene's own haptic settings as a request.
+SettingsRequest settings_of(const HapticSettingsInScene& scene);
+
+}  // namespace tegotae

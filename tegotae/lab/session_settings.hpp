@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/model/scene_geometry.hpp>
+#include <tegotae/render/rendering_method.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tegotae {
+
+/// Settings of a session as somebody asks for them: a command line, an experiment, a scene. What is not set is left to
+/// whoever comes next.
+struct SettingsRequest {
+  std::optional<std::string> method;
+  std::optional<double> stiffness;      ///< N/m
+  std::optional<double> damping;        ///< N s/m
+  std::optional<double> metric_length;  ///< m; 0: the tool's gyration length
+  std::optional<ConstraintSet> constraint_set;
+  std::optional<double> physics_rate;  ///< Hz
+  std::optional<double> haptic_rate;   ///< Hz
+  std::optional<double> margin;        ///< m
+
+  /// This request, with what it leaves open taken from `other`.
+  SettingsRequest or_else(const SettingsRequest& other) const;
+};
+
+/// Settings of a session, all decided.
+struct SessionSettings {
+  std::string method = "paper";
+  double stiffness = 1000.0;   ///< N/m
+  double damping = 0.0;        ///< N s/m
+  double metric_length = 1.0;  ///< m
+  ConstraintSet constraint_set = ConstraintSet::kPenetratingPoints;
+  double physics_rate = 100.0;  ///< Hz. Fixed, not measured: results repeat on any machine
+  double haptic_rate = 1000.0;  ///< Hz
+  double margin = 0.002;        ///< m, of the search for near objects, beyond what the speeds ask for
+
+  RenderingMethod make_method(const Tool& tool) const;
+
+  /// One "name: value unit" a setting, for people and for comments in files.
+  std::vector<std::string> lines() const;
+};
+
+/// The settings that `request` asks for, the defaults above (and the method's own metric length) where it leaves them
+/// open. Throws InputError, with the names or the range permitted, for a method that is not there or a value out of
+/// range.
+SessionSettings decide_settings(const SettingsRequest& request, const Tool& tool);
+
+/// Throws InputError, as `decide_settings` does, for a value out of range, before any scene is loaded.
+void check_ranges(const SettingsRequest& request);
+
+/// "penetrating", "near".
+std::string_view name_of(ConstraintSet set) noexcept;
+
+}  // namespace tegotae

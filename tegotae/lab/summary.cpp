@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/summary.hpp>
+#include <tegotae/render/render_types.hpp>
+#include <tegotae/runtime/safety.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+
+namespace tegotae {
+namespace {
+
+constexpr std::array<std::string_view, kSafetyEvents> kEventNames = {
+    "not_finite", "ramping", "rate_limited", "force_saturated", "torque_saturated", "physics_late", "stopped"};
+
+template <class Number>
+Spread spread_of(std::span<const TickRecord> records, Number&& number) {
+  if (records.empty()) return {};
+  Spread spread{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), 0.0};
+  for (const TickRecord& record : records) {
+    const double value = number(record);
+    spread.min = std::min(spread.min, value);
+    spread.max = std::max(spread.max, value);
+    spread.mean += value;
+  }
+  spread.mean /= static_cast<double>(records.size());
+  return spread;
+}
+
+PhaseSummary summary_of(const Experiment& experiment, const Phase& phase, std::span<const TickRecord> records) {
+  PhaseSummary summary;
+  summary.phase = phase;
+  summary.ticks = records.size();
+  for (size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    summary.force[i] = spread_of(records, [&](const TickRecord& r) { return r.wrench.force.vector()[axis]; });
+    summary.torque[i] = spread_of(records, [&](const TickRecord& r) { return r.wrench.torque.vector()[axis]; });
+  }
+  const Vector3 along_force = experiment.force_axis.direction, along_torque = experiment.torque_axis.direction;
+  summary.force_norm = spread_of(records, [](const TickRecord& r) { return r.wrench.force.vector().norm(); });
+  summary.torque_norm = spread_of(records, [](const TickRecord& r) { return r.wrench.torque.vector().norm(); });
+  summary.reported_force =
+      spread_of(records, [&](const TickRecord& r) { return along_force.dot(r.wrench.force.vector()); });
+  summary.reported_torque =
+      spread_of(records, [&](const TickRecord& r) { return along_torque.dot(r.wrench.torque.vector()); });
+  summary.contacts = spread_of(records, [](const TickRecord& r) { return static_cast<double>(r.active); });
+  summary.deepest = spread_of(records, [](const TickRecord& r) { return r.deepest; });
+  for (const TickRecord& record : records) summary.tick_times.add(record.tick_us * 1e-6);
+  return summary;
+}
+
+// Half a microsecond: times of ticks are whole periods, but for rounding.
+std::span<const TickRecord> between(std::span<const TickRecord> records, double begin, double end) {
+  constexpr double kRounding = 5e-7;
+  const auto earlier = [](const TickRecord& record, double time) { return record.time < time - kRounding; };
+  const auto first = std::lower_bound(records.begin(), records.end(), begin, earlier);
+  const auto last = std::lower_bound(first, records.end(), end, earlier);
+  return {first, last};
+}
+
+}  // namespace
+
+RunSummary summarise(const Experiment& experiment, std::span<const TickRecord> records) {
+  RunSummary summary;
+  for (size_t i = 0; i < experiment.phases.size(); ++i) {
+    const Phase& phase = experiment.phases[i];
+    const bool is_last = i + 1 == experiment.phases.size();
+    const double end = is_last ? std::numeric_limits<double>::infinity() : phase.end;
+    summary.phases.push_back(summary_of(experiment, phase, between(records, phase.begin, end)));
+  }
+  for (const std::string_view name : kEventNames) summary.safety_events[std::string(name)] = 0;
+  for (const TickRecord& record : records) {
+    ++summary.statuses[name_of(static_cast<RenderStatus>(record.status))];
+    for (size_t event = 0; event < kSafetyEvents; ++event) {
+      if ((record.safety_events >> event & 1U) != 0) ++summary.safety_events[std::string(kEventNames[event])];
+    }
+    summary.dropped += static_cast<std::uint64_t>(record.dropped);
+    summary.haptics.add(record.tick_us * 1e-6, record.model_age);
+  }
+  return summary;
+}
+
+}  // namespace tegotae

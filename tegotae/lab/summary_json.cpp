@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/summary_json.hpp>
+
+#include <nlohmann/json.hpp>
+
+namespace tegotae {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSummaryVersion = 1;
+
+Json json_of(const Spread& spread) { return {{"min", spread.min}, {"max", spread.max}, {"mean", spread.mean}}; }
+
+Json json_of(const SessionSettings& settings) {
+  return {{"method", settings.method},
+          {"stiffness_N_per_m", settings.stiffness},
+          {"damping_N_s_per_m", settings.damping},
+          {"metric_length_m", settings.metric_length},
+          {"constraint_set", name_of(settings.constraint_set)},
+          {"physics_rate_Hz", settings.physics_rate},
+          {"haptic_rate_Hz", settings.haptic_rate},
+          {"margin_m", settings.margin}};
+}
+
+Json json_of(const PhaseSummary& summary) {
+  return {{"name", summary.phase.name},
+          {"summary", summary.phase.summary},
+          {"begin_s", summary.phase.begin},
+          {"end_s", summary.phase.end},
+          {"ticks", summary.ticks},
+          {"reported_force_N", json_of(summary.reported_force)},
+          {"reported_torque_N_m", json_of(summary.reported_torque)},
+          {"force_N",
+           {{"x", json_of(summary.force[0])},
+            {"y", json_of(summary.force[1])},
+            {"z", json_of(summary.force[2])},
+            {"norm", json_of(summary.force_norm)}}},
+          {"torque_N_m",
+           {{"x", json_of(summary.torque[0])},
+            {"y", json_of(summary.torque[1])},
+            {"z", json_of(summary.torque[2])},
+            {"norm", json_of(summary.torque_norm)}}},
+          {"contacts", json_of(summary.contacts)},
+          {"deepest_m", json_of(summary.deepest)}};
+}
+
+Json json_of(const DurationHistogram& durations, double unit) {
+  return {{"median", durations.median() / unit},
+          {"p99", durations.percentile(0.99) / unit},
+          {"p99_9", durations.percentile(0.999) / unit},
+          {"max", durations.max() / unit}};
+}
+
+Json timing_of(const RunSummary& summary) {
+  constexpr double kMicrosecond = 1e-6;
+  Json phases = Json::object();
+  for (const PhaseSummary& phase : summary.phases) phases[phase.phase.name] = json_of(phase.tick_times, kMicrosecond);
+  return {{"time", "simulated"},
+          {"missed_deadlines", nullptr},
+          {"tick_us", json_of(summary.haptics.durations, kMicrosecond)},
+          {"tick_us_of_phases", phases}};
+}
+
+Json json_of(const VariantResult& result) {
+  Json phases = Json::array();
+  for (const PhaseSummary& phase : result.summary.phases) phases.push_back(json_of(phase));
+  return {{"name", result.variant.name},
+          {"summary", result.variant.summary},
+          {"samples", result.samples_file.filename().string()},
+          {"settings", json_of(result.settings)},
+          {"phases", phases},
+          {"statuses", result.summary.statuses},
+          {"safety_events", result.summary.safety_events},
+          {"dropped_planes_and_points", result.summary.dropped},
+          {"model_age_ms", json_of(result.summary.haptics.staleness, 1e-3)},
+          {"timing", timing_of(result.summary)}};
+}
+
+}  // namespace
+
+std::string summary_json(const Experiment& experiment, const ExperimentResult& result) {
+  Json variants = Json::array();
+  for (const VariantResult& variant : result.variants) variants.push_back(json_of(variant));
+  const Json summary = {{"format", kSummaryVersion},
+                        {"experiment", experiment.name},
+                        {"summary", experiment.summary},
+                        {"notes", experiment.notes},
+                        {"reported_force_axis", experiment.force_axis.name},
+                        {"reported_torque_axis", experiment.torque_axis.name},
+                        {"warnings", result.warnings},
+                        {"variants", variants}};
+  return summary.dump(2) + "\n";
+}
+
+}  // namespace tegotae
