@@ -188,6 +188,7 @@ TEST_F(ConstraintDegenerate, ContinuousAsRowsEnter) {
   // The tool leans on five rows; a sixth crosses from satisfied to violated. Halving the step halves the change.
   test::RandomProblems random(5);
   std::vector<Vector6> rows;
+  rows.reserve(6);
   for (int i = 0; i < 6; ++i)
     rows.push_back(contact_row((Vector3::UnitZ() + 0.3 * random.direction()).normalized(), random.point()));
   for (const double c : {0.0, kCompliance}) {
