@@ -22,7 +22,10 @@ std::uint64_t thread_allocations() noexcept { return allocations; }
 
 #ifdef TEGOTAE_SANITIZED_HEAP
 
-#include <sanitizer/allocator_interface.h>
+// Of the sanitizers' runtime; g++'s packages come without the header that declares it.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),
+                                                         void (*on_free)(const volatile void*));
 
 // The sanitizer's own heap must stay in place; it tells of each allocation.
 namespace {

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/runtime/haptic_tick.hpp>
+#include <tegotae/runtime/physics_loop.hpp>
+
+#include <tests/allocation_counter.hpp>
+#include <tests/free_body_world.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace tegotae {
+namespace {
+
+constexpr double kPeriod = 1e-3;
+
+// A tick over the paper's scene with its first model.
+struct Rig {
+  explicit Rig(SceneGeometry scene = testing::cube_over_floor())
+      : world(std::move(scene)), physics(world, {0.05, 0.01}) {
+    SafetyLimits limits;
+    limits.ramp_time = kPeriod;  // full wrench at once
+    limits.force_rate = limits.torque_rate = 1e9;
+    MethodSettings settings;
+    settings.stiffness = 9000.0;
+    tick = std::make_unique<HapticTick>(make_method("paper", settings, world.geometry().tool), world.geometry().tool,
+                                        limits, kPeriod);
+  }
+
+  void make_model(double time, const Pose& X_WT) { physics.build(time, {X_WT, {}}, *model); }
+
+  InterfaceCommand run(double time, const Pose& X_WT, bool fresh, const HapticTick::Circumstances& circumstances = {}) {
+    InterfaceState state;
+    state.time = time;
+    state.X_WT = X_WT;
+    return (*tick)(state, fresh ? model.get() : nullptr, circumstances, record);
+  }
+
+  testing::FreeBodyWorld world;
+  PhysicsLoop physics;
+  std::unique_ptr<HapticTick> tick;
+  std::unique_ptr<IntermediateRepresentation> model = std::make_unique<IntermediateRepresentation>();
+  TickRecord record;
+};
+
+Pose pressed(double depth) { return {{0.0, 0.1 - depth, 0.0}, Quaternion::Identity()}; }
+
+TEST(HapticTick, PressingAFaceIsFeltAndRecorded) {
+  Rig rig;
+  rig.make_model(0.0, pressed(-1e-3));
+  rig.run(0.0, pressed(-1e-3), true);
+  EXPECT_EQ(rig.record.wrench.force.y, 0.0);
+  const InterfaceCommand command = rig.run(kPeriod, pressed(1e-3), false);
+  EXPECT_NEAR(command.wrench.force.y(), 9.0, 1e-3);
+  EXPECT_NEAR(rig.record.wrench.force.y, 9.0, 1e-3);
+  EXPECT_NEAR(rig.record.displayed.force.y, 9.0, 1e-3);
+  EXPECT_NEAR(rig.record.deepest, 1e-3, 1e-12);
+  EXPECT_EQ(rig.record.planes, 1);
+  EXPECT_EQ(rig.record.active, 4);
+  EXPECT_EQ(rig.record.model_sequence, 1u);
+  EXPECT_NEAR(rig.record.model_age, kPeriod, 1e-15);
+}
+
+TEST(HapticTick, WithoutAModelThereIsNoForce) {
+  Rig rig;
+  const InterfaceCommand command = rig.run(0.0, pressed(5e-3), false);
+  EXPECT_EQ(command.wrench.force.norm(), 0.0);
+  EXPECT_EQ(rig.record.status, static_cast<std::uint8_t>(RenderStatus::kNoModel));
+}
+
+TEST(HapticTick, ANonFinitePoseDisplaysNothingAndIsForgotten) {
+  Rig rig;
+  rig.make_model(0.0, pressed(1e-3));
+  rig.run(0.0, pressed(1e-3), true);
+  const InterfaceCommand command = rig.run(kPeriod, {{0.0, std::nan(""), 0.0}, Quaternion::Identity()}, false);
+  EXPECT_EQ(command.wrench.force.norm(), 0.0);
+  EXPECT_EQ(rig.record.status, static_cast<std::uint8_t>(RenderStatus::kInvalidInput));
+  const InterfaceCommand zero_quaternion = rig.run(2 * kPeriod, {{0.0, 0.099, 0.0}, Quaternion(0, 0, 0, 0)}, false);
+  EXPECT_EQ(zero_quaternion.wrench.force.norm(), 0.0);
+  ImpulseSums message;
+  rig.tick->fill(message, 0);
+  EXPECT_EQ(message.X_WT.p.y, 0.099) << "physics goes on with the last pose that was one";
+  EXPECT_NEAR(rig.run(3 * kPeriod, pressed(1e-3), false).wrench.force.y(), 9.0, 1e-3);
+}
+
+TEST(HapticTick, TorqueIsGivenAboutTheGripAndRecordedAboutTheCentreOfMass) {
+  SceneGeometry scene = testing::cube_over_floor();
+  // The same cube held 0.1 m beside its centre.
+  scene.tool.pieces[0].X_BS.p = Vector3(0.1, 0.0, 0.0);
+  scene.tool.mass = mass_properties(scene.tool.pieces[0], 1000.0);
+  Rig rig(std::move(scene));
+  rig.make_model(0.0, pressed(5e-4));
+  const InterfaceCommand command = rig.run(0.0, pressed(5e-4), true);
+  EXPECT_NEAR(command.wrench.force.y(), 4.5, 1e-3);
+  EXPECT_NEAR(command.wrench.torque.z(), 0.1 * 4.5, 1e-4);
+  EXPECT_LT(Vector3(rig.record.wrench.torque).norm(), 1e-9);
+  EXPECT_LT(Vector3(rig.record.displayed.torque).norm(), 1e-9);
+}
+
+TEST(HapticTick, BodiesReceiveWhatWasDisplayed) {
+  SceneGeometry scene = testing::cube_over_floor();
+  scene.bodies[0].moving_index = 0;
+  Rig rig(std::move(scene));
+  rig.make_model(0.0, pressed(1e-3));
+  double displayed = 0.0;
+  for (int i = 0; i < 10; ++i) {
+    rig.run(i * kPeriod, pressed(1e-3), i == 0);
+    displayed += kPeriod * rig.record.displayed.force.y;
+  }
+  ImpulseSums message;
+  rig.tick->fill(message, 1);
+  EXPECT_GT(displayed, 0.08);
+  EXPECT_NEAR(message.bodies[0].linear.y, -displayed, 1e-14);
+  EXPECT_EQ(message.sequence, 10u);
+}
+
+TEST(HapticTick, ALostInterfaceOrTheEndGivesZeroAtOnceAndBodiesReceiveNothing) {
+  SceneGeometry scene = testing::cube_over_floor();
+  scene.bodies[0].moving_index = 0;
+  Rig rig(std::move(scene));
+  rig.make_model(0.0, pressed(1e-3));
+  EXPECT_EQ(rig.run(0.0, pressed(1e-3), true, {true, false}).wrench.force.norm(), 0.0);
+  EXPECT_EQ(rig.run(kPeriod, pressed(1e-3), false, {false, true}).wrench.force.norm(), 0.0);
+  EXPECT_GT(rig.record.wrench.force.y, 8.0);
+  ImpulseSums message;
+  rig.tick->fill(message, 1);
+  EXPECT_EQ(message.bodies[0].linear.y, 0.0);
+}
+
+TEST(HapticTick, AllocatesNothingEvenWhenModelsArrive) {
+  Rig rig;
+  rig.make_model(0.0, pressed(1e-3));
+  const testing::AllocationCounter counter;
+  for (int i = 0; i < 200; ++i) rig.run(i * kPeriod, pressed(1e-3 * std::sin(0.1 * i)), i % 50 == 0);
+  EXPECT_EQ(counter.count(), 0u);
+}
+
+}  // namespace
+}  // namespace tegotae

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/math/rotation.hpp>
+#include <tegotae/runtime/realtime_session.hpp>
+
+#include <tests/free_body_world.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace tegotae {
+namespace {
+
+// A hand that presses a cube on the floor and sways, at the loop's time.
+class SwayingHand : public HapticInterface {
+ public:
+  InterfaceCapability capability() const override { return {}; }
+  InterfaceStatus read(double time, InterfaceState& state) noexcept override {
+    state = {};
+    state.time = time;
+    const double tilt = 0.02 * std::sin(9.0 * time);
+    state.X_WT = {{0.01 * std::sin(3.0 * time), 0.0995 + 0.001 * std::sin(13.0 * time), 0.0},
+                  rotation_from_vector({0.0, 0.0, tilt})};
+    ++reads;
+    return status;
+  }
+  InterfaceStatus write(const InterfaceCommand& command) noexcept override {
+    last = command;
+    strongest = std::max(strongest, command.wrench.force.norm());
+    ++writes;
+    return status;
+  }
+
+  std::atomic<InterfaceStatus> status{InterfaceStatus::kOk};
+  InterfaceCommand last;  // read after the run
+  double strongest = 0.0;
+  int reads = 0, writes = 0;
+};
+
+SceneGeometry scene_with_a_loose_block() {
+  SceneGeometry scene = testing::cube_over_floor();
+  Body block;
+  block.name = "block";
+  block.pieces = {make_box(Vector3(0.02, 0.02, 0.02))};
+  block.X_WB.p = Vector3(0.0, 0.18, 0.0);
+  block.moving_index = 0;
+  scene.bodies.push_back(block);
+  return scene;
+}
+
+struct Rig {
+  explicit Rig(double physics_period = 0.01)
+      : world(scene_with_a_loose_block(), 1000.0), physics(world, {physics_period, 0.005}) {
+    const Tool& tool = world.geometry().tool;
+    haptics = std::make_unique<HapticTick>(make_method("paper", {}, tool), tool, SafetyLimits{}, 1e-3);
+  }
+
+  RealtimeReport run(double duration, const RealtimeObserver& observer) {
+    return run_realtime(physics, *haptics, hand, 1e-3, duration, stop, observer);
+  }
+
+  testing::FreeBodyWorld world;
+  PhysicsLoop physics;
+  std::unique_ptr<HapticTick> haptics;
+  SwayingHand hand;
+  std::atomic<bool> stop{false};
+};
+
+// Ten seconds of two threads; what the sanitizers watch.
+TEST(RealtimeSession, TwoThreadsRunAtTheirRatesAndTheLastCommandIsZero) {
+  Rig rig;
+  std::vector<TickRecord> records;
+  const RealtimeReport report = rig.run(10.0, [&](const TickRecord& record) {
+    records.push_back(record);
+    return true;
+  });
+  EXPECT_EQ(report.haptics.count(), static_cast<std::uint64_t>(rig.hand.writes));
+  EXPECT_EQ(records.size() + report.dropped_records, report.haptics.count());
+  EXPECT_GT(records.size(), 100u);
+  EXPECT_GT(rig.world.steps, 10);
+  EXPECT_EQ(rig.hand.last.wrench.force.norm() + rig.hand.last.wrench.torque.norm(), 0.0);
+  EXPECT_GT(rig.hand.strongest, 0.2) << "it pressed";
+  EXPECT_EQ(report.physics_error, "");
+  for (size_t i = 1; i < records.size(); ++i) {
+    ASSERT_GT(records[i].time, records[i - 1].time);
+    ASSERT_GE(records[i].model_sequence, records[i - 1].model_sequence);
+    ASSERT_TRUE(Vector3(records[i].displayed.force).allFinite());
+  }
+  EXPECT_GT(records.back().model_sequence, 10u);
+}
+
+TEST(RealtimeSession, EndsWhenTheObserverSaysSo) {
+  Rig rig;
+  int seen = 0;
+  rig.run(3600.0, [&](const TickRecord&) { return ++seen < 20; });
+  EXPECT_GE(seen, 20);
+}
+
+TEST(RealtimeSession, EndsWhenStopped) {
+  Rig rig;
+  rig.stop = true;
+  const RealtimeReport report = rig.run(3600.0, [](const TickRecord&) { return true; });
+  EXPECT_GT(report.haptics.count(), 0u);
+}
+
+TEST(RealtimeSession, AnObserverThatThrowsEndsTheRunWithAZeroCommand) {
+  Rig rig;
+  EXPECT_THROW(rig.run(3600.0, [](const TickRecord&) -> bool { throw std::runtime_error("disk full"); }),
+               std::runtime_error);
+  EXPECT_EQ(rig.hand.last.wrench.force.norm(), 0.0);
+}
+
+// A world that fails after a few steps.
+class FailingWorld : public testing::FreeBodyWorld {
+ public:
+  using FreeBodyWorld::FreeBodyWorld;
+  void advance(double duration, const ToolState& tool, std::span<const BodyImpulse> impulses) override {
+    if (steps >= 3) throw std::runtime_error("the engine gave up");
+    FreeBodyWorld::advance(duration, tool, impulses);
+  }
+};
+
+TEST(RealtimeSession, WhenPhysicsFailsTheWrenchFadesAndTheReportSaysWhy) {
+  FailingWorld world(testing::cube_over_floor());
+  PhysicsLoop physics(world, {0.01, 0.005});
+  SafetyLimits limits;
+  limits.max_model_age = 0.05;
+  const Tool& tool = world.geometry().tool;
+  HapticTick haptics(make_method("paper", {}, tool), tool, limits, 1e-3);
+  SwayingHand hand;
+  std::atomic<bool> stop{false};
+  TickRecord last;
+  const RealtimeReport report = run_realtime(physics, haptics, hand, 1e-3, 1.0, stop, [&](const TickRecord& record) {
+    if (record.time < 0.99) last = record;
+    return true;
+  });
+  EXPECT_EQ(report.physics_error, "the engine gave up");
+  EXPECT_EQ(Vector3(last.displayed.force).norm(), 0.0);
+  EXPECT_NE(last.safety_events, 0u);
+}
+
+TEST(RealtimeSession, WithALostInterfaceNothingIsCommanded) {
+  Rig rig;
+  rig.hand.status = InterfaceStatus::kLost;
+  rig.run(0.5, [](const TickRecord&) { return true; });
+  EXPECT_EQ(rig.hand.strongest, 0.0);
+}
+
+}  // namespace
+}  // namespace tegotae
