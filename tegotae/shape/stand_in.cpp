@@ -10,7 +10,7 @@ namespace tegotae {
 namespace {
 
 // Vertices round the circle and rings from pole to pole. 32 x 16 keeps a contact within the capacity of a tick and the
-// error at half a percent of the radius; exact closest points come from the true shape.
+// error below one percent of the radius; exact closest points come from the true shape.
 constexpr int kSegments = 32;
 constexpr int kRings = 16;
 
