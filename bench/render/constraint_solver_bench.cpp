@@ -76,7 +76,7 @@ void solve_ticks(benchmark::State& state, bool flat, bool warm) {
   int tick = 0;
   using Clock = std::chrono::steady_clock;
   double iterations = 0.0, line_search = 0.0, active = 0.0, worst = 0.0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     problem = ticks[tick++];
     const Vector6 x_start = solution.x;
     if (!warm) workspace.reset();
@@ -111,7 +111,7 @@ void BM_GaussSeidelFlatWarm(benchmark::State& state) {
   std::vector<double> own(rows), lambda(rows, 0.0);
   double error = 0.0;
   int tick = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     const ConstraintProblem<6>& problem = ticks[tick++];
     Vector6 x = problem.x_free();
     for (int i = 0; i < rows; ++i) {
