@@ -3,6 +3,8 @@
 
 #include <tegotae/contact/tolerances.hpp>
 
+#include <algorithm>
+
 namespace tegotae::gjk {
 namespace {
 
@@ -10,9 +12,13 @@ namespace {
 // to reach rounding.
 constexpr int kMaxIterations = 128;
 
-// Passes in a row that may leave both bounds as they are. Where faces are nearly parallel the origin projects onto an
-// edge between two triangles, the distance falls by less than rounding, and yet the next vertex opens the right face.
+// Passes in a row that may leave both bounds as they are, but for rounding. Where faces are nearly parallel the origin
+// projects onto an edge between two triangles, the distance falls by less than rounding, and yet the next vertex opens
+// the right face.
 constexpr int kMaxStalls = 4;
+
+// Part of rounding: smaller gains are noise, with which a curved pair would go on until the bound.
+constexpr double kLeastProgress = 1.0 / 16.0;
 
 void take_witnesses(const Simplex& simplex, Result& result) noexcept {
   result.p_tool = simplex.tool_point();
@@ -55,8 +61,10 @@ MinkowskiPoint Pair::vertex(int tool_vertex, int object_vertex) const noexcept {
 
 Result run(Pair& pair, Simplex& simplex) noexcept {
   const double rounding = tolerances::kRounding * pair.extent;
+  const double least_progress = kLeastProgress * rounding;
   Result result;
   result.upper = 1e300;
+  double greatest_lower = result.lower;
   int stalls = 0;
   while (result.iterations < kMaxIterations) {
     ++result.iterations;
@@ -68,17 +76,18 @@ Result run(Pair& pair, Simplex& simplex) noexcept {
     }
     if (simplex.count == 0) break;
     result.verdict = Verdict::kApart;
-    bool progress = nearest.distance < result.upper;
+    bool progress = nearest.distance < result.upper - least_progress;
     if (nearest.distance < result.upper + rounding) {
-      result.upper = nearest.distance;
+      result.upper = std::min(result.upper, nearest.distance);
       take_witnesses(simplex, result);
     }
     const MinkowskiPoint next = pair.support(nearest.n);
     const double lower = nearest.n.dot(next.w);
-    progress = progress || lower > result.lower;
+    progress = progress || lower > greatest_lower + least_progress;
     stalls = progress ? 0 : stalls + 1;
     // A later direction is the better one unless its bound is worse by more than rounding.
-    if (lower > result.lower - rounding) {
+    greatest_lower = std::max(greatest_lower, lower);
+    if (lower > greatest_lower - rounding) {
       result.lower = lower;
       result.n = nearest.n;
     }

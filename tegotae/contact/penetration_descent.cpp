@@ -8,31 +8,44 @@
 namespace tegotae::gjk {
 namespace {
 
-constexpr int kMaxPasses = 64;
+// Polytopes end after a few passes, the number of faces on the way; curved shapes that overlap by most of their radius
+// converge slowly.
+constexpr int kMaxPasses = 48;
+
+// The points of a simplex after the tool moved by `by`.
+void translate(Simplex& simplex, const Vector3& by) noexcept {
+  for (size_t k = 0; k < static_cast<size_t>(simplex.count); ++k) {
+    simplex.point[k].w += by;
+    simplex.point[k].tool += by;
+  }
+}
 
 }  // namespace
 
 Descent descend(Pair& pair, const Vector3& n) noexcept {
-  const double rounding = tolerances::kRounding * pair.extent;
+  const double least_gain = (pair.has_vertices() ? tolerances::kRounding : tolerances::kCurvedDescent) * pair.extent;
   const Vector3 p_start = pair.p_OT;
+  Simplex simplex;
+  start_along(pair, n, simplex);
   Descent best;
   best.n = n;
-  const MinkowskiPoint deepest = pair.support(n);
-  best.depth = -n.dot(deepest.w);
-  best.p_tool = deepest.tool;
+  best.depth = -n.dot(simplex.point[0].w);
+  best.p_tool = simplex.point[0].tool;
+  Vector3 shift = Vector3::Zero();
   for (int pass = 0; pass < kMaxPasses; ++pass) {
-    const Vector3 shift = std::max(best.depth, 0.0) * best.n;
+    const Vector3 next_shift = std::max(best.depth, 0.0) * best.n;
+    translate(simplex, next_shift - shift);
+    shift = next_shift;
     pair.p_OT = p_start + shift;
-    Simplex simplex;
-    start_along(pair, best.n, simplex);
     const Result found = run(pair, simplex);
     best.iterations += found.iterations;
-    const double depth = shift.dot(found.n) - found.lower;
-    const bool better = found.verdict == Verdict::kApart && depth < best.depth - rounding;
     if (found.verdict != Verdict::kUndecided) best.p_tool = found.p_tool - shift;
-    if (!better) break;
+    const double depth = shift.dot(found.n) - found.lower;
+    if (found.verdict != Verdict::kApart || !(depth < best.depth)) break;
+    const bool converged = depth > best.depth - least_gain;
     best.n = found.n;
     best.depth = depth;
+    if (converged) break;
   }
   pair.p_OT = p_start;
   return best;

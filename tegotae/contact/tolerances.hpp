@@ -28,6 +28,10 @@ inline constexpr double kBarycentric = 64.0 * 2.220446049250313e-16;
 /// that differ by less either may be found; the descent that follows makes the one found exact.
 inline constexpr double kCurvedDepth = 1e-6;
 
+/// Dimensionless, times the extent of a pair: a pass of the descent that gains less ends it on curved shapes. The
+/// gains fall geometrically, by the square of depth over radius of curvature, so what is left is of the same order.
+inline constexpr double kCurvedDescent = 1e-12;
+
 /// m. Shapes that are apart by less count as touching for a penetration query: its depth is then 0. Ten thousand times
 /// finer than what a hand feels (4.4e-6 m), and well above what a curved pair leaves uncertified.
 inline constexpr double kTouching = 1e-9;
