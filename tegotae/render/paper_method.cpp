@@ -66,7 +66,8 @@ bool PaperMethod::add_constraints(const RenderInput& input, const Vector3& p_WCm
   if (output.status != RenderStatus::kOk) return false;
 
   problem_.set_objective(parameters_.coupling.stiffness_matrix(), Vector6::Zero());
-  const double compliance = tolerance::kRowCompliance / parameters_.coupling.stiffness;
+  const Coupling& coupling = parameters_.coupling;
+  const double per_arm = 1.0 / (coupling.metric_length * coupling.metric_length);
   const Matrix3 R_WT = input.X_WT.rotation();
   for (int i = 0; i < model.plane_count; ++i) {
     const ContactPlane& plane = model.planes[static_cast<size_t>(i)];
@@ -79,6 +80,9 @@ bool PaperMethod::add_constraints(const RenderInput& input, const Vector3& p_WCm
       Vector6 J;
       J.head<3>() = n_W;
       J.tail<3>() = (p_WC - p_WCm).cross(n_W);
+      // A part of the coupling's own compliance at this point, (1 + (r x n)^2 / l^2) / k.
+      const double compliance =
+          tolerance::kRowCompliance * (1.0 + per_arm * J.tail<3>().squaredNorm()) / coupling.stiffness;
       row_sources_[static_cast<size_t>(output.constraint_count)] = {i, j};
       if (problem_.add_contact(J, depth, compliance)) ++output.constraint_count;
     }

@@ -30,9 +30,9 @@ inline constexpr double kClearlyInfeasibleViolation = 1e-6;
 /// would keep only half of its digits. The usual rows are thirty times softer.
 inline constexpr double kDirectCompliance = 3e-7;
 
-/// Compliance of a contact row, relative to the coupling's own 1/k. Makes the multipliers unique, so that the load on a
-/// face does not flip between its corners under noise, and the problem never infeasible; biases the force by this part,
-/// ten thousand times less than a hand tells apart.
+/// Compliance of a contact row, relative to the coupling's own at the same point, (1 + (r x n)^2 / l^2) / k. Makes the
+/// multipliers unique, so that the load on a face does not flip between its corners under noise, and the problem never
+/// infeasible; biases the force by this part, ten thousand times less than a hand tells apart.
 inline constexpr double kRowCompliance = 1e-5;
 
 /// Share of the slope at its start at which a line search ends: the direction is renewed anyway, so more is wasted.
