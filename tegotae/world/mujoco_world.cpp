@@ -116,6 +116,10 @@ void MujocoWorld::advance(double duration, const ToolState& tool, std::span<cons
 const HapticSettingsInScene& MujocoWorld::haptic_settings() const noexcept { return implementation_->settings; }
 const std::vector<std::string>& MujocoWorld::warnings() const noexcept { return implementation_->warnings; }
 const WorldDiagnostics& MujocoWorld::diagnostics() const noexcept { return implementation_->simulation.diagnostics(); }
+Pose MujocoWorld::tool_pose() const noexcept {
+  const mjData& d = implementation_->simulation.data();
+  return pose_from(d.xpos, d.xquat, implementation_->tool_body);
+}
 double MujocoWorld::time() const noexcept { return implementation_->simulation.data().time; }
 double MujocoWorld::max_substep() const noexcept { return implementation_->max_substep; }
 double MujocoWorld::measure_step_time(int substeps) const {

@@ -43,6 +43,8 @@ class MujocoWorld final : public World {
   /// What was found on loading that the user should know, a sentence each.
   const std::vector<std::string>& warnings() const noexcept;
   const WorldDiagnostics& diagnostics() const noexcept;
+  /// Pose of the tool as MuJoCo has it.
+  Pose tool_pose() const noexcept;
   /// s, of the simulation, from 0.
   double time() const noexcept;
   /// The longest substep, s.
@@ -61,7 +63,9 @@ class MujocoWorld final : public World {
 ///   its hull, with a warning if it is not convex.
 /// - `<exclude>` and `<pair>` between the tool and other bodies hold: where there are any, the contact bits of the
 ///   shapes are renumbered so that `may_touch` answers for both. The friction of a `<pair>` is that of its geoms.
-/// - The tool's mass is the scene's (by its geoms' density, 1000 kg/m^3 unless it says otherwise).
+/// - The tool's mass is the scene's (by its geoms' density, 1000 kg/m^3 unless it says otherwise). MuJoCo 2.2.2 weighs
+/// a
+///   mesh as its equivalent inertia box; the gyration length of one mesh is exact all the same.
 std::unique_ptr<MujocoWorld> load_mujoco_world(const std::filesystem::path& file, const std::string& tool,
                                                const MujocoWorldOptions& options = {});
 

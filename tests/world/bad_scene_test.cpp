@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/world/load_failure.hpp>
+
+#include <tests/world/scene_files.hpp>
+
+namespace tegotae {
+namespace {
+
+using testing::kFloor;
+using testing::kTool;
+
+class BadScene : public testing::SceneFiles {
+ protected:
+  // One line that holds each of the parts.
+  static void expect_says(const std::string& message, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << "\n  " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+  std::string refusal_of_text(const std::string& text) const { return refusal_of(write("scene.xml", text)); }
+};
+
+TEST_F(BadScene, MissingFile) {
+  expect_says(refusal_of(folder() / "none.xml"), {"none.xml", "no such scene file", "check the path"});
+  expect_says(refusal_of(folder()), {"no such scene file"});
+}
+
+TEST_F(BadScene, MalformedXml) {
+  expect_says(refusal_of_text("<mujoco>\n<worldbody>\n<body>\n</worldbody></mujoco>"),
+              {"scene.xml, line 3: malformed XML (mismatched element", "body", "correct the markup"});
+  expect_says(refusal_of_text("hello"), {"scene.xml, line 1: malformed XML (parsing text"});
+  expect_says(refusal_of_text(""), {"scene.xml: malformed XML (empty document)"});
+}
+
+TEST_F(BadScene, ElementsAttributesAndKeywordsOfNewerMujoco) {
+  const std::string needs = "this scene needs MuJoCo 3.x; this build reads 2.2.2's MJCF: ";
+  expect_says(refusal("<worldbody>\n<frame/>\n</worldbody>"),
+              {"scene.xml, line 3: " + needs, "unrecognized element", "'frame'"});
+  expect_says(refusal("<worldbody>\n<body gravcomp='1'/>\n</worldbody>"),
+              {"scene.xml, line 3: " + needs, "unrecognized attribute: 'gravcomp'", "in element 'body'"});
+  expect_says(refusal("<option integrator='implicitfast'/>"),
+              {"scene.xml, line 2: " + needs, "invalid keyword: 'implicitfast'"});
+  expect_says(refusal("<size memory='10M'/>"), {needs, "'memory'"});
+}
+
+TEST_F(BadScene, WhatNoMujocoKnows) {
+  const std::string element = refusal("<worldbody>\n<bodyy/>\n</worldbody>");
+  expect_says(element, {"scene.xml, line 3: MuJoCo 2.2.2 refuses the scene: unrecognized element", "'bodyy'"});
+  EXPECT_EQ(element.find("3.x"), std::string::npos);
+  expect_says(refusal("<worldbody>\n<geom size='a'/>\n</worldbody>"), {"scene.xml, line 3", "size", "'geom'"});
+  expect_says(refusal("<worldbody>\n<body name='b'><freejoint/></body>\n</worldbody>"),
+              {"scene.xml, line 3", "mass and inertia of moving bodies", "object 'b'"});
+}
+
+TEST_F(BadScene, MeshFileThatIsNotThere) {
+  expect_says(refusal("<asset><mesh name='a' file='gone.obj'/></asset><worldbody>" + kTool +
+                      "<geom type='mesh' mesh='a'/></worldbody>"),
+              {"scene.xml, line 2", "gone.obj"});
+}
+
+TEST_F(BadScene, NumbersThatAreNot) {
+  expect_says(refusal("<worldbody>" + kTool + "<geom size='0.1' pos='nan 0 0'/></worldbody>"), {"scene.xml", "NaN"});
+  expect_says(refusal("<option timestep='0'/><worldbody>" + kTool + kFloor + "</worldbody>"),
+              {"scene.xml", "time step", "<option>"});
+}
+
+TEST_F(BadScene, UnknownToolListsTheBodies) {
+  std::string bodies;
+  for (int i = 0; i < 12; ++i) bodies += "<body name='b" + std::to_string(i) + "'><geom size='0.1'/></body>";
+  const std::string refused = refusal("<worldbody>" + bodies + "</worldbody>", "hammer");
+  expect_says(refused, {"scene.xml: there is no body 'hammer'", "the bodies are: 'b0', 'b1'", "'b9' and 2 more"});
+  EXPECT_EQ(refused.find("b10"), std::string::npos);
+  expect_says(refusal("<worldbody>" + kFloor + "</worldbody>", "hammer"), {"the bodies are: none"});
+  expect_says(refusal("<worldbody>" + kTool + kFloor + "</worldbody>", "world"), {"the bodies are: 'tool'"});
+  expect_says(refusal("<worldbody>" + kTool + kFloor + "</worldbody>", ""), {"no body ''"});
+}
+
+TEST_F(BadScene, ToolWithJoints) {
+  expect_says(refusal("<worldbody><body name='tool'><freejoint/><geom size='0.1'/></body></worldbody>"),
+              {"tool body 'tool' has joints", "remove the joints of body tool or give mocap=\"true\""});
+  expect_says(refusal("<worldbody><body name='arm'><joint/><geom size='0.1'/><body name='tool'><geom size='0.1'/>"
+                      "</body></body></worldbody>"),
+              {"body 'arm', which carries the tool 'tool', has joints", "remove the joints of body arm"});
+  expect_says(refusal("<worldbody><body name='tool'><geom size='0.1'/><body><body name='jaw'><joint/>"
+                      "<geom size='0.1'/></body></body></body></worldbody>"),
+              {"body 'jaw' on the tool 'tool' has joints", "remove the joints of body jaw"});
+}
+
+TEST_F(BadScene, ToolThatIsTied) {
+  const std::string world = "<worldbody>" + kTool +
+                            "<body name='b'><freejoint/><geom size='0.1'/>"
+                            "<site name='on b'/></body><body name='fixed'><site name='on fixed'/></body></worldbody>";
+  expect_says(refusal(world + "<equality><weld name='w' body1='b' body2='tool'/></equality>"),
+              {"equality constraint 'w' holds the tool 'tool'", "remove it"});
+  expect_says(refusal(world + "<equality><connect body1='tool' anchor='0 0 0'/></equality>"),
+              {"equality constraint number 0"});
+  EXPECT_EQ(refusal(world + "<equality><connect body1='b' anchor='0 0 0'/></equality>"), "");
+  EXPECT_EQ(refusal(world + "<tendon><spatial><site site='on b'/><site site='on fixed'/></spatial></tendon>"), "");
+  expect_says(refusal("<worldbody><body name='tool'><geom size='0.1'/><site name='s'/></body><body><freejoint/>"
+                      "<geom size='0.1'/><site name='t'/></body></worldbody>"
+                      "<tendon><spatial name='rope'><site site='t'/><site site='s'/></spatial></tendon>"),
+              {"tendon 'rope' holds the tool"});
+}
+
+TEST_F(BadScene, NothingToTouchWith) {
+  expect_says(refusal("<worldbody><body name='tool' mocap='true'/>" + kFloor + "</worldbody>"),
+              {"the tool 'tool' has no contact geometry", "add a geom"});
+  expect_says(
+      refusal("<worldbody><body name='tool' mocap='true'><geom size='0.1' contype='0' conaffinity='0'/></body>" +
+              kFloor + "</worldbody>"),
+      {"the tool 'tool' has no contact geometry", "contype"});
+  expect_says(refusal("<worldbody>" + kTool + "</worldbody>"), {"nothing but the tool has contact geometry"});
+  expect_says(refusal("<worldbody><body><geom type='box' size='1 1 1'/></body>"
+                      "<body name='tool'><geom name='p' type='plane' size='1 1 1'/></body>"
+                      "</worldbody>"),
+              {"geom 'p' of the tool is a plane", "thin box"});
+}
+
+TEST_F(BadScene, MoreMovingBodiesThanTheExchangeHolds) {
+  const auto scene = [](int count) {
+    std::string bodies;
+    for (int i = 0; i < count; ++i) {
+      bodies += "<body pos='" + std::to_string(i) + " 0 1'><joint/><geom size='0.1'/></body>";
+    }
+    return "<worldbody>" + kTool + bodies + "</worldbody>";
+  };
+  expect_says(refusal(scene(257)), {"257 moving bodies", "256 is the most", "remove joints"});
+  EXPECT_EQ(refusal(scene(256)), "");
+}
+
+TEST_F(BadScene, HapticSettings) {
+  const auto scene = [](const std::string& numeric) {
+    return "<custom><numeric " + numeric + "/></custom><worldbody>" + kTool + kFloor + "</worldbody>";
+  };
+  expect_says(refusal(scene("name='tegotae_stifness' data='1'")),
+              {"unknown haptic setting 'tegotae_stifness'",
+               "tegotae_stiffness, tegotae_damping, tegotae_metric_length, "
+               "tegotae_margin, tegotae_physics_rate, tegotae_haptic_rate"});
+  expect_says(refusal(scene("name='tegotae_margin' data='1 2'")),
+              {"'tegotae_margin' has 2 numbers", "give it one, in m"});
+  expect_says(refusal(scene("name='tegotae_haptic_rate' data='0'")), {"'tegotae_haptic_rate' is 0 Hz", "a positive"});
+  expect_says(refusal(scene("name='tegotae_damping' data='-1'")), {"is -1 N s/m", "positive or zero"});
+  EXPECT_EQ(refusal(scene("name='others_setting' data='-1 2 3'")), "");
+}
+
+TEST_F(BadScene, EveryHapticSettingIsRead) {
+  const auto world =
+      load(R"(<custom><numeric name="tegotae_stiffness" data="1"/><numeric name="tegotae_damping" data="2"/>
+    <numeric name="tegotae_metric_length" data="0"/><numeric name="tegotae_margin" data="4"/>
+    <numeric name="tegotae_physics_rate" data="5"/><numeric name="tegotae_haptic_rate" data="6"/></custom><worldbody>)" +
+           kTool + kFloor + "</worldbody>");
+  const HapticSettingsInScene& s = world->haptic_settings();
+  EXPECT_EQ(s.stiffness, 1.0);
+  EXPECT_EQ(s.damping, 2.0);
+  EXPECT_EQ(s.metric_length, 0.0);
+  EXPECT_EQ(s.margin, 4.0);
+  EXPECT_EQ(s.physics_rate, 5.0);
+  EXPECT_EQ(s.haptic_rate, 6.0);
+}
+
+TEST_F(BadScene, Options) {
+  const std::string scene = "<worldbody>" + kTool + kFloor + "</worldbody>";
+  MujocoWorldOptions options;
+  options.max_substep = 0.0;
+  EXPECT_THROW(load(scene, options), std::invalid_argument);
+  options = {};
+  options.max_contacts = 0;
+  EXPECT_THROW(load(scene, options), std::invalid_argument);
+}
+
+TEST_F(BadScene, UrdfLinksThatCannotMoveNeedAWordToStay) {
+  const auto urdf = [&](const std::string& compiler) {
+    const std::string link = R"(<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+      </inertial><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>)";
+    return write("robot.urdf",
+                 R"(<robot name="r">)" + compiler + R"(<link name="base">)" + link + R"(<link name="tool">)" + link +
+                     R"(<joint name="j" type="fixed"><parent link="base"/><child link="tool"/></joint></robot>)");
+  };
+  expect_says(refusal_of(urdf("")), {"robot.urdf", "no body 'tool'", "fusestatic=\"false\""});
+  const auto world = load_mujoco_world(urdf(R"(<mujoco><compiler fusestatic="false"/></mujoco>)"), "tool");
+  EXPECT_EQ(world->geometry().tool.pieces.size(), 1U);
+  EXPECT_EQ(world->geometry().tool.pieces[0].size, Vector3::Constant(0.05));
+  EXPECT_EQ(world->geometry().bodies.size(), 1U);
+}
+
+TEST(LoadFailure, KeepsWhatItCannotRead) {
+  EXPECT_EQ(describe_load_failure("a.xml", "Error: something odd"),
+            "a.xml: MuJoCo 2.2.2 refuses the scene: something odd; correct it there");
+}
+
+}  // namespace
+}  // namespace tegotae
