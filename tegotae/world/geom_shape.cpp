@@ -55,7 +55,7 @@ double dent_of(const Mesh& mesh, const Polytope& hull) {
 
 Shape hull_of_geom(const mjModel& m, int geom, const std::string& file, std::vector<std::string>& warnings) {
   const Mesh mesh = mesh_of(m, m.geom_dataid[geom]);
-  const Shape shape = make_hull(mesh.vertices, pose_from(m.geom_pos, m.geom_quat, geom), kSinglePrecisionCoplanarity);
+  Shape shape = make_hull(mesh.vertices, pose_from(m.geom_pos, m.geom_quat, geom), kSinglePrecisionCoplanarity);
   const double dent = dent_of(mesh, *shape.polytope);
   if (dent > 0.0) {
     warnings.push_back(

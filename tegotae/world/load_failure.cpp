@@ -5,79 +5,27 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <regex>
 
 namespace tegotae {
 namespace {
 
-using std::string_view_literals::operator""sv;
+// Elements, attributes and keywords of MJCF that came after 2.2.2: the usual ones, each between spaces.
+constexpr std::string_view kNewerElements =
+    " attach clock deformable distance e_kinetic e_potential edge elasticity extension flex flexcomp flexstrain"
+    " flexvert frame fromto insidesite layer model normal pin plugin replicate tactile ";
+constexpr std::string_view kNewerAttributes =
+    " actdim actearly actuatorfrclimited actuatorfrcrange actuatorgravcomp actuatorgroupdisable align alignfree"
+    " autoreset bvactive ccd_iterations ccd_tolerance colorspace content_type dampratio eulerdamp focal focalpixel"
+    " gravcomp hdri island ls_iterations ls_tolerance maxhullvert memory midphase nativeccd octree_depth"
+    " orthographic plugin principal principalpixel projection resolution saveinertial sdf_initpoints"
+    " sdf_iterations sensorsize sleep sleep_tolerance ";
+constexpr std::string_view kNewerKeywords =
+    " allowed convex dcmotor exact flex implicitfast init legacy never sdf shell ";
 
-// Elements, attributes and keywords of MJCF that came after 2.2.2: the usual ones.
-constexpr std::array kNewerElements = {
-    "attach"sv,    "deformable"sv, "e_kinetic"sv, "e_potential"sv, "edge"sv,       "elasticity"sv,
-    "extension"sv, "flex"sv,       "flexcomp"sv,  "flexvert"sv,    "frame"sv,      "insidesite"sv,
-    "layer"sv,     "model"sv,      "pin"sv,       "plugin"sv,      "replicate"sv,  "tactile"sv,
-    "distance"sv,  "normal"sv,     "fromto"sv,    "clock"sv,       "flexstrain"sv,
-};
-constexpr std::array kNewerAttributes = {
-    "actdim"sv,
-    "actearly"sv,
-    "actuatorfrclimited"sv,
-    "actuatorfrcrange"sv,
-    "actuatorgravcomp"sv,
-    "actuatorgroupdisable"sv,
-    "align"sv,
-    "alignfree"sv,
-    "autoreset"sv,
-    "builtin"sv,
-    "bvactive"sv,
-    "ccd_iterations"sv,
-    "ccd_tolerance"sv,
-    "colorspace"sv,
-    "content_type"sv,
-    "dampratio"sv,
-    "eulerdamp"sv,
-    "fitaabb"sv,
-    "focal"sv,
-    "focalpixel"sv,
-    "gravcomp"sv,
-    "hdri"sv,
-    "island"sv,
-    "ls_iterations"sv,
-    "ls_tolerance"sv,
-    "maxhullvert"sv,
-    "memory"sv,
-    "midphase"sv,
-    "mpos"sv,
-    "mquat"sv,
-    "multiccd"sv,
-    "nativeccd"sv,
-    "octree_depth"sv,
-    "orthographic"sv,
-    "plugin"sv,
-    "principal"sv,
-    "principalpixel"sv,
-    "projection"sv,
-    "resolution"sv,
-    "saveinertial"sv,
-    "sdf_initpoints"sv,
-    "sdf_iterations"sv,
-    "sensorsize"sv,
-    "shellinertia"sv,
-    "sleep"sv,
-    "sleep_tolerance"sv,
-    "solreffriction"sv,
-};
-constexpr std::array kNewerKeywords = {
-    "implicitfast"sv, "flex"sv,   "sdf"sv,     "dcmotor"sv, "shell"sv, "exact"sv,
-    "convex"sv,       "legacy"sv, "allowed"sv, "never"sv,   "init"sv,
-};
-
-template <size_t count>
-bool contains(const std::array<std::string_view, count>& list, std::string_view word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
+bool contains(std::string_view list, const std::string& word) {
+  return !word.empty() && list.find(" " + word + " ") != std::string_view::npos;
 }
 
 std::string first_match(const std::string& text, const char* pattern) {

@@ -55,9 +55,10 @@ void refuse_empty(const mjModel& m, const ToolBody& tool, const Pieces& pieces, 
 }
 
 MassProperties mass_of_tool(const mjModel& m, const ToolBody& tool, const std::vector<Shape>& pieces) {
-  const MassProperties given = tool_mass(m, tool);
+  MassProperties given = tool_mass(m, tool);
   if (given.mass > 0.0 && given.inertia.trace() > 0.0) return given;
   std::vector<MassProperties> parts;
+  parts.reserve(pieces.size());
   for (const Shape& piece : pieces) parts.push_back(mass_properties(piece, world_limits::kToolDensity));
   return combined(parts);
 }

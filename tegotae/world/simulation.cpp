@@ -76,7 +76,7 @@ void Simulation::set_stack() {
 #if mjVERSION_HEADER < 230
   const double rows = model_->njmax, freedoms = model_->nv;
   const double doubles = 4.0 * (rows * freedoms + freedoms * freedoms) + 100.0 * (rows + freedoms);
-  const double most = std::numeric_limits<int>::max() / 4;
+  const double most = 0.25 * std::numeric_limits<int>::max();
   model_->nstack = std::max(model_->nstack, static_cast<int>(std::min(doubles, most)));
 #endif
 }

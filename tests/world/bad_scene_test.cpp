@@ -182,6 +182,25 @@ TEST_F(BadScene, UrdfLinksThatCannotMoveNeedAWordToStay) {
   EXPECT_EQ(world->geometry().bodies.size(), 1U);
 }
 
+// The first, a middle and the last word of each list, and words that only look like them.
+TEST(LoadFailure, KnowsNewerMarkup) {
+  const auto is_newer = [](const std::string& text) {
+    return describe_load_failure("a.xml", "XML Error: " + text).find("needs MuJoCo 3.x") != std::string::npos;
+  };
+  for (const char* element : {"attach", "flexcomp", "plugin", "tactile"}) {
+    EXPECT_TRUE(is_newer("Schema violation: unrecognized element\n\nElement '" + std::string(element) + "', line 3\n"));
+  }
+  for (const char* attribute : {"actdim", "maxhullvert", "sleep"}) {
+    EXPECT_TRUE(is_newer("Schema violation: unrecognized attribute: '" + std::string(attribute) + "'\n"));
+  }
+  for (const char* keyword : {"implicitfast", "sdf"}) {
+    EXPECT_TRUE(is_newer("invalid keyword: '" + std::string(keyword) + "'\nElement 'option', line 2\n"));
+  }
+  for (const char* attribute : {"act", "dim", "", "pos", "plug in"}) {
+    EXPECT_FALSE(is_newer("Schema violation: unrecognized attribute: '" + std::string(attribute) + "'\n"));
+  }
+}
+
 TEST(LoadFailure, KeepsWhatItCannotRead) {
   EXPECT_EQ(describe_load_failure("a.xml", "Error: something odd"),
             "a.xml: MuJoCo 2.2.2 refuses the scene: something odd; correct it there");

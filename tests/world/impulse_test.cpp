@@ -7,7 +7,6 @@
 namespace tegotae {
 namespace {
 
-using testing::kFloor;
 using testing::kTool;
 using testing::no_impulses;
 using testing::states_of;

@@ -19,7 +19,8 @@ class Simulated : public testing::SceneFiles {
   static std::string boxes(int count) {
     std::string text = "<worldbody>" + kTool + kFloor;
     for (int i = 0; i < count; ++i) {
-      text += "<body pos='" + std::to_string(0.3 * (i % 10)) + " " + std::to_string(0.3 * (i / 10)) +
+      const int row = i / 10, place = i % 10;
+      text += "<body pos='" + std::to_string(0.3 * place) + " " + std::to_string(0.3 * row) +
               " 0.0999'><freejoint/><geom type='box' size='0.1 0.1 0.1'/></body>";
     }
     return text + "</worldbody>";
