@@ -4,12 +4,20 @@
 #include <cerrno>
 #include <cstddef>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define TEGOTAE_SANITIZED_HEAP 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define TEGOTAE_SANITIZED_HEAP 1
+#if defined(__has_feature)
+#define TEGOTAE_HAS_FEATURE(name) __has_feature(name)
+#else
+#define TEGOTAE_HAS_FEATURE(name) 0
 #endif
+#if defined(__SANITIZE_THREAD__) || TEGOTAE_HAS_FEATURE(thread_sanitizer)
+#define TEGOTAE_THREAD_SANITIZER 1
+#else
+#define TEGOTAE_THREAD_SANITIZER 0
+#endif
+#if TEGOTAE_THREAD_SANITIZER || defined(__SANITIZE_ADDRESS__) || TEGOTAE_HAS_FEATURE(address_sanitizer)
+#define TEGOTAE_SANITIZED_HEAP 1
+#else
+#define TEGOTAE_SANITIZED_HEAP 0
 #endif
 
 namespace {
@@ -18,9 +26,10 @@ thread_local std::uint64_t allocations = 0;
 
 namespace tegotae::testing {
 std::uint64_t thread_allocations() noexcept { return allocations; }
+bool counts_aligned_alloc() noexcept { return TEGOTAE_THREAD_SANITIZER == 0; }
 }  // namespace tegotae::testing
 
-#ifdef TEGOTAE_SANITIZED_HEAP
+#if TEGOTAE_SANITIZED_HEAP
 
 // Of the sanitizers' runtime; g++'s packages come without the header that declares it.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)

@@ -9,6 +9,9 @@ namespace tegotae::testing {
 /// so operator new and Eigen's dynamic matrices. Linked into every test program, which it makes count.
 std::uint64_t thread_allocations() noexcept;
 
+/// False under ThreadSanitizer, whose heap does not tell of aligned_alloc and its kin: those are then not counted.
+bool counts_aligned_alloc() noexcept;
+
 /// Counts the allocations of the calling thread from here on.
 class AllocationCounter {
  public:

@@ -326,7 +326,7 @@ TEST(Safety, HoldsItsPropertiesForAnyBits) {
   BitSweep sweep(4);
   SafetyState state;
   std::uint64_t displayed_something = 0, events_seen = 0;
-  for (int i = 0; i < 500'000; ++i) {
+  for (int i = 0; i < 200'000; ++i) {
     const SafetyInput input = sweep.input();
     const Wrench last = state.displayed;
     const SafetyOutput output = apply_safety(limits, state, input);
@@ -345,7 +345,7 @@ TEST(Safety, HoldsItsPropertiesForAnyBits) {
     displayed_something += displayed.force.norm() > 1.0 ? 1 : 0;
     events_seen |= output.events;
   }
-  EXPECT_GT(displayed_something, 50'000U) << "the sweep reaches the working range";
+  EXPECT_GT(displayed_something, 20'000U) << "the sweep reaches the working range";
   EXPECT_EQ(events_seen, (1U << kSafetyEvents) - 1) << "and every stage";
 }
 
