@@ -39,9 +39,10 @@ struct ClosestPoints {
 /// with a certificate: the distance is reported only if the support values along the witness direction prove at least
 /// `tolerances::kCertificate` of it; else the query is retried cold from other directions, else the pair is
 /// kNotSeparated. Polytopes, spheres and capsules are right to rounding; for cylinders and ellipsoids distance and
-/// lower bound meet to about 1e-13 of the pair's extent. Where faces meet faces any pair of facing points is returned;
-/// the normal is the face's own, however small the gap. No distance below `tolerances::kLeastDistance` of the extent
-/// is reported. Does not allocate; bounded iterations; NaN poses give kNotSeparated, and so do two planes.
+/// lower bound meet to 1e-9 of the extent of the pair (to 1e-13 nearly always). Where faces meet faces any pair of
+/// facing points is returned; the normal is the face's own, however small the gap. No distance below
+/// `tolerances::kLeastDistance` of the extent is reported. Does not allocate; bounded iterations; NaN poses give
+/// kNotSeparated, and so do two planes.
 ClosestPoints closest_points(const PlacedShape& tool, const PlacedShape& object, ClosestPointsCache& cache) noexcept;
 
 }  // namespace tegotae
