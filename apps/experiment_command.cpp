@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "commands.hpp"
-#include "progress_line.hpp"
-#include "settings_options.hpp"
-#include "summary_table.hpp"
-
+#include <apps/commands.hpp>
+#include <apps/progress_line.hpp>
+#include <apps/settings_options.hpp>
+#include <apps/summary_table.hpp>
 #include <tegotae/lab/experiment_run.hpp>
 #include <tegotae/lab/input_error.hpp>
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <csignal>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 namespace tegotae {
@@ -20,8 +22,13 @@ struct ExperimentOptions {
   std::string name;
   std::string folder;
   bool list = false;
+  bool real_time = false;
   SettingsOptions settings;
 };
+
+// Ends a run in real time at its next tick, so that the interface is left at zero.
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 void print_list() {
   for (const Experiment& experiment : experiments()) fmt::print("{:<18}{}\n", experiment.name, experiment.summary);
@@ -49,9 +56,17 @@ void run(const ExperimentOptions& options) {
   request.folder = options.folder;
   if (options.folder.empty()) request.folder = std::filesystem::path("out") / experiment.name;
 
+  request.real_time = options.real_time;
+  request.stop = &interrupted;
+  if (options.real_time) std::signal(SIGINT, [](int) { interrupted.store(true); });
+
   const ExperimentResult result = perform(experiment, request);
   for (const std::string& warning : result.warnings) fmt::print(stderr, "tegotae: warning: {}\n", warning);
   fmt::print("{}", summary_table(experiment, result));
+  if (interrupted) {
+    throw std::runtime_error(fmt::format("interrupted; what was recorded until then stands in {}, without figures.",
+                                         request.folder.string()));
+  }
   const std::filesystem::path figures = draw_figures(experiment, result, request.folder);
   fmt::print("\nfigures: {}\n", figures.string());
 }
@@ -64,6 +79,9 @@ void add_experiment_command(CLI::App& program) {
       program.add_subcommand("experiment", "Perform an experiment: samples, summary and figures.");
   command->add_option("NAME", options->name, "Experiment to perform");
   command->add_flag("--list", options->list, "List the experiments");
+  command->add_flag("--realtime", options->real_time,
+                    "Run physics and haptics at their rates in real time, each on a thread of its own; without it time "
+                    "is simulated and the result repeats bit for bit");
   command->add_option("--out", options->folder, "Folder for the results; default: out/NAME")->type_name("DIR");
   options->settings.add_method(*command);
   command->callback([options] { run(*options); });

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "commands.hpp"
-
+#include <apps/commands.hpp>
 #include <tegotae/render/rendering_method.hpp>
 
 #include <fmt/format.h>

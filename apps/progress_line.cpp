@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "progress_line.hpp"
+#include <apps/progress_line.hpp>
 
 #include <unistd.h>
 

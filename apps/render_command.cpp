@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "commands.hpp"
-#include "progress_line.hpp"
-#include "settings_options.hpp"
-
+#include <apps/commands.hpp>
+#include <apps/progress_line.hpp>
+#include <apps/settings_options.hpp>
 #include <tegotae/lab/samples_file.hpp>
 #include <tegotae/lab/session.hpp>
 #include <tegotae/lab/trajectory_file.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "settings_options.hpp"
-
-#include "commands.hpp"
-
+#include <apps/commands.hpp>
+#include <apps/settings_options.hpp>
 #include <tegotae/lab/input_error.hpp>
 
 #include <fmt/format.h>

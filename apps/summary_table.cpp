@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "summary_table.hpp"
+#include <apps/summary_table.hpp>
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
+#include <set>
 
 namespace tegotae {
 namespace {
@@ -20,15 +22,44 @@ std::string range(const Spread& spread) {
   return fmt::format("{:.3f} to {:.3f}", rounded(spread.min), rounded(spread.max));
 }
 
-std::string row(const PhaseSummary& summary) {
-  constexpr double kMicrosecond = 1e-6;
+constexpr double kMicrosecond = 1e-6, kMillisecond = 1e-3;  // s
+
+std::string row(const PhaseSummary& summary, bool in_real_time) {
   const DurationHistogram& times = summary.tick_times;
-  return fmt::format("  {:<34}{:>18}{:>18}{:>12}   {:>7.1f} {:>7.1f} {:>7.1f} {:>7.1f}   {}\n",
-                     summary.phase.name + "  " + summary.phase.summary, range(summary.reported_force),
-                     range(summary.reported_torque),
-                     fmt::format("{:g} to {:g}", summary.contacts.min, summary.contacts.max),
-                     times.median() / kMicrosecond, times.percentile(0.99) / kMicrosecond,
-                     times.percentile(0.999) / kMicrosecond, times.max() / kMicrosecond, "simulated time");
+  return fmt::format(
+      "  {:<34}{:>18}{:>18}{:>12}   {:>7.1f} {:>7.1f} {:>7.1f} {:>7.1f}   {}\n",
+      summary.phase.name + "  " + summary.phase.summary, range(summary.reported_force), range(summary.reported_torque),
+      fmt::format("{:g} to {:g}", summary.contacts.min, summary.contacts.max), times.median() / kMicrosecond,
+      times.percentile(0.99) / kMicrosecond, times.percentile(0.999) / kMicrosecond, times.max() / kMicrosecond,
+      in_real_time ? fmt::format("{}", summary.missed_deadlines) : "none: simulated time");
+}
+
+// What the run in real time was like.
+std::string real_time_lines(const RealtimeReport& report) {
+  const DurationHistogram &age = report.haptics.staleness, &wake_up = report.wake_up, &step = report.physics.durations;
+  std::string text = fmt::format(
+      "  real time: {} of {} ticks missed their deadline; wake-up late by {:.0f} us (median), {:.0f} us (p99.9)\n"
+      "  model age {:.0f} ms (median), {:.0f} ms (max); physics step {:.2f} ms (median), {:.2f} ms (max)\n",
+      report.haptics.missed_deadlines, report.haptics.missed_deadlines + report.haptics.count(),
+      wake_up.median() / kMicrosecond, wake_up.percentile(0.999) / kMicrosecond, age.median() / kMillisecond,
+      age.max() / kMillisecond, step.median() / kMillisecond, step.max() / kMillisecond);
+  if (report.dropped_records > 0) text += fmt::format("  {} ticks are not in the samples\n", report.dropped_records);
+  return text;
+}
+
+// What the system refused to the threads, each sentence once.
+std::string rights_lines(const ExperimentResult& result) {
+  std::set<std::string> sentences;
+  for (const VariantResult& variant : result.variants) {
+    if (!variant.real_time) return {};
+    sentences.insert(variant.real_time->haptic_rights.explanation);
+    sentences.insert(variant.real_time->physics_rights.explanation);
+  }
+  sentences.erase("");
+  if (sentences.empty()) return "The threads ran under SCHED_FIFO with locked memory.\n";
+  std::string text;
+  for (const std::string& sentence : sentences) text += sentence + "\n";
+  return text;
 }
 
 }  // namespace
@@ -43,9 +74,11 @@ std::string summary_table(const Experiment& experiment, const ExperimentResult& 
                    fmt::format("force {} [N]", experiment.force_axis.name),
                    fmt::format("torque {} [N m]", experiment.torque_axis.name), "contacts",
                    "tick median, p99, p99.9, max [us]", "missed deadlines");
-    for (const PhaseSummary& phase : variant.summary.phases) text += row(phase);
+    const bool in_real_time = variant.real_time.has_value();
+    for (const PhaseSummary& phase : variant.summary.phases) text += row(phase, in_real_time);
+    if (variant.real_time) text += real_time_lines(*variant.real_time);
   }
-  text += '\n';
+  text += '\n' + rights_lines(result);
   for (const VariantResult& variant : result.variants)
     fmt::format_to(out, "samples: {}\n", variant.samples_file.string());
   fmt::format_to(out, "summary: {}\n", result.summary_file.string());

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -23,11 +24,27 @@ std::vector<std::string> notes_of(const Experiment& experiment, const Variant& v
   return notes;
 }
 
+void add_once(std::vector<std::string>& sentences, const std::string& sentence) {
+  if (sentence.empty() || std::find(sentences.begin(), sentences.end(), sentence) != sentences.end()) return;
+  sentences.push_back(sentence);
+}
+
+// Runs to the end, in the kind of time that is asked for, and says so in the result.
+void run_session(Session& session, const ExperimentRequest& request, const TickObserver& observer,
+                 const Progress& progress, VariantResult& result) {
+  if (!request.real_time) {
+    session.run_simulated(observer, progress);
+    return;
+  }
+  static const std::atomic<bool> never{false};
+  result.real_time = session.run_realtime(observer, progress, request.stop != nullptr ? *request.stop : never);
+}
+
 VariantResult run_variant(const Experiment& experiment, const Variant& variant, const ExperimentRequest& request,
                           std::filesystem::path samples_file, std::vector<std::string>& warnings,
                           const Progress& progress) {
   auto world = load_mujoco_world(find_scene(experiment.scene), experiment.tool);
-  warnings = world->warnings();
+  for (const std::string& warning : world->warnings()) add_once(warnings, warning);
   const Tool& tool = world->geometry().tool;
   const SettingsRequest wanted = request.settings.or_else(variant.settings)
                                      .or_else(experiment.settings)
@@ -36,17 +53,20 @@ VariantResult run_variant(const Experiment& experiment, const Variant& variant, 
   Trajectory motion = experiment.motion(tool);
   Session session(std::move(world), std::move(motion), settings);
 
-  VariantResult result{variant, settings, {}, {}, std::move(samples_file)};
+  VariantResult result{variant, settings, {}, {}, std::move(samples_file), std::nullopt};
   SamplesFile samples(result.samples_file, notes_of(experiment, variant, session), session.start());
-  session.run_simulated(
+  run_session(
+      session, request,
       [&](const TickRecord& record) {
         samples.write(record);
         result.records.push_back(record);
         return true;
       },
-      progress);
+      progress, result);
   samples.close();
-  result.summary = summarise(experiment, result.records);
+  add_once(warnings, session.trouble());
+  if (result.real_time) add_once(warnings, result.real_time->physics_error);
+  result.summary = summarise(experiment, result.records, settings.haptic_rate);
   return result;
 }
 

@@ -39,14 +39,33 @@ Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const Se
                                    limits_of(settings_, interface_.capability(), tool()), 1.0 / settings_.haptic_rate);
 }
 
-void Session::run_simulated(const TickObserver& observer, const Progress& progress) {
+TickObserver Session::with_progress(const TickObserver& observer, const Progress& progress) const {
   constexpr long kTicksBetweenReports = 1000;
-  long ticks = 0;
+  return [&observer, &progress, duration = duration_, ticks = 0L](const TickRecord& record) mutable {
+    if (++ticks % kTicksBetweenReports == 0) progress(record.time / duration);
+    return observer(record);
+  };
+}
+
+void Session::run_simulated(const TickObserver& observer, const Progress& progress) {
   tegotae::run_simulated(physics_, *haptics_, interface_, 1.0 / settings_.haptic_rate, duration_,
-                         [&](const TickRecord& record) {
-                           if (++ticks % kTicksBetweenReports == 0) progress(record.time / duration_);
-                           return observer(record);
-                         });
+                         with_progress(observer, progress));
+}
+
+RealtimeReport Session::run_realtime(const TickObserver& observer, const Progress& progress,
+                                     const std::atomic<bool>& stop) {
+  return tegotae::run_realtime(physics_, *haptics_, interface_, 1.0 / settings_.haptic_rate, duration_, stop,
+                               with_progress(observer, progress));
+}
+
+std::string Session::trouble() const {
+  const WorldDiagnostics& found = world_->diagnostics();
+  if (found.is_healthy()) return {};
+  return fmt::format(
+      "the physics had trouble: {} contacts and {} constraint rows dropped, {} near singular inertias, "
+      "{} substeps diverged, {} given up, {} impulses ignored{}{}",
+      found.dropped_contacts, found.dropped_constraint_rows, found.singular_inertias, found.diverged,
+      found.engine_errors, found.ignored_impulses, found.last_message.empty() ? "" : "; it said: ", found.last_message);
 }
 
 std::vector<std::string> Session::notes() const {

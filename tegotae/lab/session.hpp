@@ -3,9 +3,11 @@
 
 #include <tegotae/device/playback_interface.hpp>
 #include <tegotae/lab/session_settings.hpp>
+#include <tegotae/runtime/realtime_session.hpp>
 #include <tegotae/runtime/simulated_session.hpp>
 #include <tegotae/world/mujoco_world.hpp>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -26,6 +28,12 @@ class Session {
   /// In simulated time, on this thread: every record but `tick_us` repeats bit for bit.
   void run_simulated(const TickObserver& observer, const Progress& progress);
 
+  /// In real time, both rates on threads of their own, until the motion ends or `stop` becomes true.
+  RealtimeReport run_realtime(const TickObserver& observer, const Progress& progress, const std::atomic<bool>& stop);
+
+  /// What went wrong in the world during the run, a sentence; empty: nothing.
+  std::string trouble() const;
+
   const SessionSettings& settings() const noexcept { return settings_; }
   const MujocoWorld& world() const noexcept { return *world_; }
   const Tool& tool() const { return world_->geometry().tool; }
@@ -35,6 +43,8 @@ class Session {
   std::vector<std::string> notes() const;
 
  private:
+  TickObserver with_progress(const TickObserver& observer, const Progress& progress) const;
+
   std::unique_ptr<MujocoWorld> world_;
   SessionSettings settings_;
   double start_, duration_;  ///< s

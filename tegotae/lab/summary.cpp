@@ -4,6 +4,7 @@
 #include <tegotae/runtime/safety.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -27,10 +28,19 @@ Spread spread_of(std::span<const TickRecord> records, Number&& number) {
   return spread;
 }
 
-PhaseSummary summary_of(const Experiment& experiment, const Phase& phase, std::span<const TickRecord> records) {
+// Whole periods between the first tick and the last, less those that had theirs.
+std::uint64_t missed_in(std::span<const TickRecord> records, double haptic_rate) {
+  if (records.empty()) return 0;
+  const long periods = std::lround((records.back().time - records.front().time) * haptic_rate);
+  return static_cast<std::uint64_t>(std::max(0L, periods + 1 - static_cast<long>(records.size())));
+}
+
+PhaseSummary summary_of(const Experiment& experiment, const Phase& phase, std::span<const TickRecord> records,
+                        double haptic_rate) {
   PhaseSummary summary;
   summary.phase = phase;
   summary.ticks = records.size();
+  summary.missed_deadlines = missed_in(records, haptic_rate);
   for (size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     summary.force[i] = spread_of(records, [&](const TickRecord& r) { return r.wrench.force.vector()[axis]; });
@@ -60,13 +70,14 @@ std::span<const TickRecord> between(std::span<const TickRecord> records, double 
 
 }  // namespace
 
-RunSummary summarise(const Experiment& experiment, std::span<const TickRecord> records) {
+RunSummary summarise(const Experiment& experiment, std::span<const TickRecord> records, double haptic_rate) {
   RunSummary summary;
   for (size_t i = 0; i < experiment.phases.size(); ++i) {
     const Phase& phase = experiment.phases[i];
     const bool is_last = i + 1 == experiment.phases.size();
     const double end = is_last ? std::numeric_limits<double>::infinity() : phase.end;
-    summary.phases.push_back(summary_of(experiment, phase, between(records, phase.begin, end)));
+    summary.phases.push_back(summary_of(experiment, phase, between(records, phase.begin, end), haptic_rate));
+    summary.haptics.missed_deadlines += summary.phases.back().missed_deadlines;
   }
   for (const std::string_view name : kEventNames) summary.safety_events[std::string(name)] = 0;
   for (const TickRecord& record : records) {

@@ -24,8 +24,9 @@ struct Spread {
 struct PhaseSummary {
   Phase phase;
   std::uint64_t ticks = 0;
-  std::array<Spread, 3> force;   ///< x, y, z of the method's wrench, N
-  std::array<Spread, 3> torque;  ///< about the tool's centre of mass, N m
+  std::uint64_t missed_deadlines = 0;  ///< haptic periods without a tick; none in simulated time
+  std::array<Spread, 3> force;         ///< x, y, z of the method's wrench, N
+  std::array<Spread, 3> torque;        ///< about the tool's centre of mass, N m
   Spread force_norm, torque_norm;
   Spread reported_force, reported_torque;  ///< along the experiment's axes
   Spread contacts;                         ///< contact points that push
@@ -39,10 +40,10 @@ struct RunSummary {
   std::map<std::string, std::uint64_t> statuses;       ///< ticks by status of the method
   std::map<std::string, std::uint64_t> safety_events;  ///< ticks by what the safety stage did
   std::uint64_t dropped = 0;                           ///< planes and points beyond the model's capacity, all ticks
-  TickStatistics haptics;                              ///< of the records; missed deadlines in real time only
+  TickStatistics haptics;                              ///< of the records
 };
 
-/// The summary of the records of one run of `experiment`, in order of time.
-RunSummary summarise(const Experiment& experiment, std::span<const TickRecord> records);
+/// The summary of the records of one run of `experiment`, in order of time, made at `haptic_rate` (Hz).
+RunSummary summarise(const Experiment& experiment, std::span<const TickRecord> records, double haptic_rate);
 
 }  // namespace tegotae

@@ -52,14 +52,34 @@ Json json_of(const DurationHistogram& durations, double unit) {
           {"max", durations.max() / unit}};
 }
 
-Json timing_of(const RunSummary& summary) {
-  constexpr double kMicrosecond = 1e-6;
+constexpr double kMicrosecond = 1e-6, kMillisecond = 1e-3;  // s
+
+Json json_of(const RealtimeRights& rights) {
+  return {{"fifo", rights.fifo}, {"memory_locked", rights.memory_locked}, {"explanation", rights.explanation}};
+}
+
+void add_real_time(const RealtimeReport& report, Json& timing) {
+  timing["time"] = "real";
+  timing["missed_deadlines"] = report.haptics.missed_deadlines;
+  timing["wake_up_us"] = json_of(report.wake_up, kMicrosecond);
+  timing["model_age_ms"] = json_of(report.haptics.staleness, kMillisecond);
+  timing["physics_step_us"] = json_of(report.physics.durations, kMicrosecond);
+  timing["physics_missed_deadlines"] = report.physics.missed_deadlines;
+  timing["dropped_records"] = report.dropped_records;
+  timing["haptic_rights"] = json_of(report.haptic_rights);
+  timing["physics_rights"] = json_of(report.physics_rights);
+}
+
+Json timing_of(const VariantResult& result) {
+  const RunSummary& summary = result.summary;
   Json phases = Json::object();
   for (const PhaseSummary& phase : summary.phases) phases[phase.phase.name] = json_of(phase.tick_times, kMicrosecond);
-  return {{"time", "simulated"},
-          {"missed_deadlines", nullptr},
-          {"tick_us", json_of(summary.haptics.durations, kMicrosecond)},
-          {"tick_us_of_phases", phases}};
+  Json timing = {{"time", "simulated"},
+                 {"missed_deadlines", nullptr},
+                 {"tick_us", json_of(summary.haptics.durations, kMicrosecond)},
+                 {"tick_us_of_phases", phases}};
+  if (result.real_time) add_real_time(*result.real_time, timing);
+  return timing;
 }
 
 Json json_of(const VariantResult& result) {
@@ -73,8 +93,8 @@ Json json_of(const VariantResult& result) {
           {"statuses", result.summary.statuses},
           {"safety_events", result.summary.safety_events},
           {"dropped_planes_and_points", result.summary.dropped},
-          {"model_age_ms", json_of(result.summary.haptics.staleness, 1e-3)},
-          {"timing", timing_of(result.summary)}};
+          {"model_age_ms", json_of(result.summary.haptics.staleness, kMillisecond)},
+          {"timing", timing_of(result)}};
 }
 
 }  // namespace

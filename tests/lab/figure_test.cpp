@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/child_process.hpp>
+#include <tegotae/lab/figure.hpp>
+#include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/quantities.hpp>
+#include <tegotae/math/rotation.hpp>
+#include <tests/lab/temporary_folder.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace tegotae {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<TickRecord> turning_ticks() {
+  std::vector<TickRecord> records(500);
+  for (size_t i = 0; i < records.size(); ++i) {
+    const double time = static_cast<double>(i) * 1e-3;
+    records[i].time = time;
+    records[i].X_WT = Pose{{0.0, time, 0.0}, rotation_from_vector(-time * Vector3::UnitZ())};
+    records[i].wrench = Wrench{{1.0, std::sin(20.0 * time), 3.0}, {4.0, 5.0, 6.0}};
+  }
+  return records;
+}
+
+Figure two_panels() {
+  Figure figure;
+  figure.name = "both";
+  figure.title = "A title";
+  figure.panels = {{"y [m]", {{"y", 0, position_along(Vector3::UnitY()), false}}},
+                   {"f_y [N]",
+                    {{"rendered", 0, force_along(Vector3::UnitY()), false},
+                     {"closed form", 0, force_along(Vector3::UnitX()), true}}}};
+  return figure;
+}
+
+TEST(Quantities, ReadCoordinatesOfATick) {
+  const TickRecord record = turning_ticks()[250];
+  const SessionSettings settings;
+  EXPECT_EQ(position_along(Vector3::UnitY())(record, settings), 0.25);
+  EXPECT_NEAR(angle_about(Vector3::UnitZ())(record, settings), -0.25 * 180.0 / std::numbers::pi, 1e-12);
+  EXPECT_EQ(force_along(Vector3::UnitZ())(record, settings), 3.0);
+  EXPECT_EQ(torque_along(Vector3::UnitX())(record, settings), 4.0);
+}
+
+TEST(Figures, AreDrawnInBothFormatsWithLabelledAxes) {
+  const TemporaryFolder folder;
+  const std::vector<TickRecord> records = turning_ticks();
+  const SessionSettings settings;
+  draw(two_panels(), std::vector<RunSamples>{{records, settings}}, folder.path());
+  const std::string svg = contents_of(folder.path() / "both.svg");
+  for (const char* text : {"A title", "time [s]", "y [m]", "[N]", "closed form", "</svg>"}) {
+    EXPECT_THAT(svg, HasSubstr(text));
+  }
+  EXPECT_EQ(contents_of(folder.path() / "both.png").substr(1, 3), "PNG");
+  EXPECT_LT(svg.size(), 300000U);
+}
+
+TEST(Figures, RepeatBitForBit) {
+  const TemporaryFolder folder;
+  const std::vector<TickRecord> records = turning_ticks();
+  const SessionSettings settings;
+  for (const char* name : {"first", "second"}) {
+    draw(two_panels(), std::vector<RunSamples>{{records, settings}}, folder.path() / name);
+  }
+  EXPECT_EQ(contents_of(folder.path() / "first" / "both.svg"), contents_of(folder.path() / "second" / "both.svg"));
+}
+
+TEST(Figures, SayWhereTheyCannotBeWritten) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("occupied", "");
+  const std::vector<TickRecord> records = turning_ticks();
+  const SessionSettings settings;
+  EXPECT_THAT(
+      [&] {
+        draw(two_panels(), std::vector<RunSamples>{{records, settings}}, file);
+      },
+      testing::ThrowsMessage<InputError>(HasSubstr("occupied")));
+}
+
+TEST(ChildProcess, GivesTheExitCode) {
+  EXPECT_EQ(run_child({"true"}, "/").exit_code, 0);
+  EXPECT_EQ(run_child({"sh", "-c", "exit 7"}, "/").exit_code, 7);
+  EXPECT_EQ(run_child({"sh", "-c", "kill -9 $$"}, "/").exit_code, 128 + 9);
+}
+
+TEST(ChildProcess, RunsInTheFolder) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_child({"sh", "-c", "echo here > written"}, folder.path()).exit_code, 0);
+  EXPECT_EQ(contents_of(folder.path() / "written"), "here\n");
+}
+
+TEST(ChildProcess, TellsAProgramThatIsNotThere) {
+  EXPECT_TRUE(run_child({"no-such-program-anywhere"}, "/").not_found);
+  EXPECT_FALSE(run_child({"true"}, "/").not_found);
+}
+
+}  // namespace
+}  // namespace tegotae
