@@ -8,6 +8,14 @@
 
 namespace tegotae {
 
+std::vector<Variant> metric_length_variants() {
+  SettingsRequest one_metre, gyration;
+  one_metre.metric_length = 1.0;
+  gyration.metric_length = 0.0;
+  return {{"one-metre", "metric length 1 m, the paper's equations literally", one_metre},
+          {"gyration", "metric length of the tool's own gyration length", gyration}};
+}
+
 std::span<const Experiment> experiments() {
   static const std::vector<Experiment> all = {
       paper_cube_experiment(),

@@ -34,6 +34,10 @@ struct Variant {
   SettingsRequest settings;  ///< these win over the experiment's
 };
 
+/// The two metric lengths between which the experiments of the paper are compared: 1 m, then the tool's own gyration
+/// length.
+std::vector<Variant> metric_length_variants();
+
 /// A motion of a tool in a scene, and what to look at. Adding one: a file with a function that returns it, and a line
 /// in experiment.cpp.
 struct Experiment {

@@ -103,11 +103,7 @@ Experiment paper_cube_experiment() {
   experiment.phases = {{"a", "edge lowered onto the floor", 0.0, kTouched},
                        {"b", "edge turned onto the face", kTouched, kTurned},
                        {"c", "face held 0.02 deg off", kTurned, kEnd}};
-  SettingsRequest one_metre, gyration;
-  one_metre.metric_length = 1.0;
-  gyration.metric_length = 0.0;
-  experiment.variants = {{"one-metre", "metric length 1 m, the paper's equations literally", one_metre},
-                         {"gyration", "metric length of the cube's gyration length", gyration}};
+  experiment.variants = metric_length_variants();
   experiment.force_axis = {"y", Vector3::UnitY()};
   experiment.torque_axis = {"z", Vector3::UnitZ()};
   experiment.figures = figures();

@@ -37,13 +37,17 @@ Trajectory motion(const Tool& tool) {
   });
 }
 
+std::vector<Curve> both_lengths(const Quantity& rendered) {
+  return {{"l = 1 m", 0, rendered, false}, {"l = gyration length", 1, rendered, false}};
+}
+
 std::vector<Figure> figures() {
   const Vector3 y = Vector3::UnitY(), z = Vector3::UnitZ();
   Figure force{.name = "force-and-torque", .title = "Pressed on a floor and rolled"};
   force.panels = {{"z [m]", {{"z", 0, position_along(z), false}}},
                   {"{/Symbol q}_y [deg]", {{"{/Symbol q}_y", 0, angle_about(y), false}}},
-                  {"f_z [N]", {{"f_z", 0, force_along(z), false}}},
-                  {"{/Symbol t}_y [N m]", {{"{/Symbol t}_y", 0, torque_along(y), false}}}};
+                  {"f_z [N]", both_lengths(force_along(z))},
+                  {"{/Symbol t}_y [N m]", both_lengths(torque_along(y))}};
   return {force};
 }
 
@@ -58,7 +62,7 @@ Experiment press_and_roll(const std::string& name, const std::string& summary) {
                        {"b", "pressed", kTouched, kPressed},
                        {"c", "rolled to both sides", kPressed, kRolled},
                        {"d", "lifted", kRolled, kEnd}};
-  experiment.variants = {{"default", "the method's own settings", {}}};
+  experiment.variants = metric_length_variants();
   experiment.force_axis = {"z", Vector3::UnitZ()};
   experiment.torque_axis = {"y", Vector3::UnitY()};
   experiment.figures = figures();

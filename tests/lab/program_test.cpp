@@ -85,7 +85,9 @@ TEST(ProgramExperiment, RepeatsBitForBitWhereverItWrites) {
   EXPECT_EQ(without_last_column(first / "samples.csv"), without_last_column(second / "samples.csv"));
   auto a = nlohmann::json::parse(contents_of(first / "summary.json"));
   auto b = nlohmann::json::parse(contents_of(second / "summary.json"));
-  for (auto* summary : {&a, &b}) (*summary)["variants"][0].erase("timing");
+  for (auto* summary : {&a, &b}) {
+    for (auto& variant : (*summary)["variants"]) variant.erase("timing");
+  }
   EXPECT_EQ(a, b);
 }
 
