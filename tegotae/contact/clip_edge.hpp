@@ -12,6 +12,15 @@ struct ClipEntry {
   int face = 0;    ///< that is entered
 };
 
+/// The point where the segment from `from` crosses `plane`, the only one that excludes `from`, to `to` in the body.
+/// Not found if that is `to` itself.
+template <class Locator>
+ClipEntry clip_entry_through(const Locator& body, const Vector3& from, const Vector3& to, int plane) noexcept {
+  const double start = body.slack(plane, from), end = body.slack(plane, to);
+  if (end >= -tolerances::kOnPlane || start <= 0.0) return {};
+  return {true, start / (start - end), body.face(plane)};
+}
+
 /// The first point of the segment from `from`, which lies outside `plane`, to `to` that lies in the body: moves to
 /// the plane that is violated, again and again, until none is (Cyrus and Beck 1978, with the planes looked up rather
 /// than listed). Not found if the segment passes by, or if it enters only at `to`. Bounded, does not allocate.

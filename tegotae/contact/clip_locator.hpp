@@ -36,7 +36,6 @@ class PlaneScan {
  public:
   explicit PlaneScan(std::span<const ClipPlane> planes) noexcept : planes_(planes) {}
 
-  int first_hint() const noexcept { return 0; }
   int face(int plane) const noexcept { return planes_[static_cast<size_t>(plane)].face; }
   double slack(int plane, const Vector3& p) const noexcept {
     const ClipPlane& half_space = planes_[static_cast<size_t>(plane)];
@@ -71,7 +70,6 @@ class FaceWalk {
  public:
   explicit FaceWalk(const Polytope& polytope) noexcept : polytope_(polytope) {}
 
-  int first_hint() const noexcept { return 0; }
   int face(int plane) const noexcept { return plane; }
   double slack(int plane, const Vector3& p) const noexcept {
     const Polytope::Face& f = polytope_.faces[static_cast<size_t>(plane)];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace tegotae {
 namespace {
@@ -61,13 +62,28 @@ bool ClipVertexSet::contains(const Vector3& p) const noexcept {
   return false;
 }
 
+// The usual case: whatever might be the same point lies in the same cell.
+bool ClipVertexSet::is_clear_of_borders(const Vector3& p, const Cell& cell) noexcept {
+  constexpr double kReach = 2.0 * tolerances::kSameVertex * kCellsPerMetre;
+  const auto clear = [](double coordinate, std::int64_t index) {
+    const double part = std::abs(coordinate * kCellsPerMetre - static_cast<double>(index));
+    return part > kReach && part < 1.0 - kReach;
+  };
+  return clear(p.x(), cell.x) && clear(p.y(), cell.y) && clear(p.z(), cell.z);
+}
+
 void ClipVertexSet::add(const Vector3& p, const IntersectionFeature& feature) noexcept {
-  if (!contains(p)) add_new(p, feature);
+  const Cell cell = cell_of(p);
+  if (!(is_clear_of_borders(p, cell) ? cell_holds(cell, p) : contains(p))) insert(cell, p, feature);
 }
 
 void ClipVertexSet::add_new(const Vector3& p, const IntersectionFeature& feature) noexcept {
+  insert(cell_of(p), p, feature);
+}
+
+void ClipVertexSet::insert(const Cell& cell, const Vector3& p, const IntersectionFeature& feature) noexcept {
   if (size_ == static_cast<int>(members_.size())) return;
-  size_t s = slot_of(cell_of(p));
+  size_t s = slot_of(cell);
   while (slots_[s].generation == generation_) s = (s + 1) & (slots_.size() - 1);
   slots_[s] = {generation_, size_};
   members_[static_cast<size_t>(size_)] = {p, feature.packed()};

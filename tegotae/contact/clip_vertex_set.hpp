@@ -38,6 +38,8 @@ class ClipVertexSet {
     int member = 0;
   };
   static Cell cell_of(const Vector3& p) noexcept;
+  static bool is_clear_of_borders(const Vector3& p, const Cell& cell) noexcept;
+  void insert(const Cell& cell, const Vector3& p, const IntersectionFeature& feature) noexcept;
   size_t slot_of(const Cell& cell) const noexcept;
   bool cell_holds(const Cell& cell, const Vector3& p) const noexcept;
   bool contains(const Vector3& p) const noexcept;

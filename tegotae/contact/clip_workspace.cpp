@@ -21,18 +21,13 @@ int most_vertices(int max_faces) { return 4 * checked(max_faces); }
 ClipWorkspace::ClipWorkspace(int max_vertices, int max_faces)
     : max_vertices_(checked(max_vertices)),
       max_faces_(checked(max_faces)),
+      tool_(max_vertices),
+      object_(max_vertices),
       dilation_(max_vertices, max_faces),
-      stack_(static_cast<size_t>(max_vertices)),
       tool_planes_(static_cast<size_t>(max_faces)),
       object_planes_(static_cast<size_t>(max_faces)),
       polygon_(2 * max_faces + 8),
-      vertices_(most_vertices(max_faces)) {
-  for (Side* side : {&tool_, &object_}) {
-    side->points.resize(static_cast<size_t>(max_vertices));
-    side->outside.resize(static_cast<size_t>(max_vertices));
-    side->plane.resize(static_cast<size_t>(max_vertices));
-  }
-}
+      vertices_(most_vertices(max_faces)) {}
 
 bool ClipWorkspace::holds(const Shape& shape) const noexcept {
   if (shape.polytope == nullptr) return true;

@@ -4,10 +4,10 @@
 #include <tegotae/contact/clip_dilation.hpp>
 #include <tegotae/contact/clip_locator.hpp>
 #include <tegotae/contact/clip_polygon.hpp>
+#include <tegotae/contact/clip_side.hpp>
 #include <tegotae/contact/clip_vertex_set.hpp>
 #include <tegotae/shape/shape.hpp>
 
-#include <cstdint>
 #include <vector>
 
 namespace tegotae {
@@ -25,17 +25,9 @@ class ClipWorkspace {
  private:
   friend class IntersectionClipper;
 
-  /// The vertices of one shape, and how they lie to the other one.
-  struct Side {
-    std::vector<Vector3> points;         ///< in the other shape's frame, m
-    std::vector<std::uint64_t> outside;  ///< 0 inside; else nonzero: a bit for each violated plane while 64 suffice
-    std::vector<int> plane;              ///< most violated, in the locator's numbers
-  };
-
   int max_vertices_, max_faces_;
-  Side tool_, object_;
+  ClipSide tool_, object_;
   ClipDilation dilation_;
-  std::vector<int> stack_;
   std::vector<ClipPlane> tool_planes_, object_planes_;
   ClipPolygon polygon_;
   ClipVertexSet vertices_;

@@ -45,6 +45,8 @@ class Nowhere {
 }  // namespace
 
 std::optional<std::vector<std::vector<int>>> hull_facets(std::span<const Vector3> points) {
+  // Given no points, Qhull would succeed without a facet.
+  if (points.size() < 4) return std::nullopt;
   std::vector<double> coordinates;
   coordinates.reserve(3 * points.size());
   for (const Vector3& p : points) {

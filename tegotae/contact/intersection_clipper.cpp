@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/contact/clip_edge.hpp>
 #include <tegotae/contact/intersection_clipper.hpp>
 
 #include <algorithm>
@@ -7,50 +6,8 @@
 namespace tegotae {
 namespace {
 
-// Looking at so few planes is faster than walking, and a bit for each fits in a mask.
+// Looking at so few planes is faster than walking.
 constexpr size_t kFewPlanes = 24;
-constexpr size_t kMaskBits = 64;
-
-bool all_masked(std::span<const ClipPlane> planes) noexcept { return !planes.empty() && planes.size() <= kMaskBits; }
-
-void classify_by_scan(std::span<const ClipPlane> planes, std::span<const Vector3> points, std::uint64_t* outside,
-                      int* worst) noexcept {
-  const bool masked = all_masked(planes);
-  for (size_t i = 0; i < points.size(); ++i) {
-    const Vector3& p = points[i];
-    std::uint64_t mask = 0;
-    int plane = 0;
-    double most = -1e300;
-    for (size_t k = 0; k < planes.size(); ++k) {
-      const double s = planes[k].normal.dot(p) - planes[k].offset;
-      mask |= static_cast<std::uint64_t>(s > tolerances::kOnPlane) << (masked ? k : 0);
-      if (s > most) most = s, plane = static_cast<int>(k);
-    }
-    outside[i] = mask;
-    worst[i] = plane;
-  }
-}
-
-// Calls add(edge, from vertex, to vertex, entry) where edges of `polytope` enter `body`.
-template <class Locator, class Add>
-void clip_edges(const Locator& body, const Polytope& polytope, const Vector3* points, const std::uint64_t* outside,
-                const int* plane, bool masked, const Add& add) noexcept {
-  for (size_t e = 0; e < polytope.edges.size(); ++e) {
-    const size_t u = static_cast<size_t>(polytope.edges[e].vertex[0]);
-    const size_t v = static_cast<size_t>(polytope.edges[e].vertex[1]);
-    if ((outside[u] | outside[v]) == 0 || (masked && (outside[u] & outside[v]) != 0)) continue;
-    if (outside[u] != 0) {
-      if (outside[v] != 0 && body.slack(plane[v], points[u]) >= -tolerances::kOnPlane) continue;
-      const ClipEntry entry = clip_entry(body, points[u], points[v], plane[u]);
-      if (!entry.found) continue;
-      add(static_cast<int>(e), u, v, entry);
-    }
-    if (outside[v] != 0) {
-      const ClipEntry entry = clip_entry(body, points[v], points[u], plane[v]);
-      if (entry.found) add(static_cast<int>(e), v, u, entry);
-    }
-  }
-}
 
 }  // namespace
 
@@ -69,16 +26,15 @@ const ClipVertexSet& IntersectionClipper::run() noexcept {
 
 void IntersectionClipper::collect() noexcept {
   if (!list_object_planes()) return;
-  place_tool();
-  if (all_masked(object_.planes) && all_beyond_one_plane(memory_.tool_, tool_.polytope->vertices.size())) return;
+  if (!place_tool()) return;
   add_tool_vertices();
   if (object_.polytope == nullptr) return add_tool_edges();
   memory_.dilation_.apply(*object_.polytope, frame_.dilation_O);
   list_tool_planes();
-  place_object();
-  add_object_vertices();
+  const bool object_reaches_tool = place_object();
+  if (object_reaches_tool) add_object_vertices();
   add_tool_edges();
-  add_object_edges();
+  if (object_reaches_tool) add_object_edges();
   if (!memory_.dilation_.intact()) add_broken_faces();
 }
 
@@ -123,81 +79,52 @@ void IntersectionClipper::with_locator(const Body& body, const Function& functio
   }
 }
 
-void IntersectionClipper::place_tool() noexcept {
+// False if all vertices lie beyond one plane of the object.
+bool IntersectionClipper::place_tool() noexcept {
   const std::vector<Vector3>& vertices = tool_.polytope->vertices;
-  for (size_t i = 0; i < vertices.size(); ++i) memory_.tool_.points[i] = frame_.object_from_tool(vertices[i]);
-  classify(object_, *tool_.polytope, memory_.tool_);
+  for (size_t i = 0; i < vertices.size(); ++i) memory_.tool_.points()[i] = frame_.object_from_tool(vertices[i]);
+  return classify(object_, *tool_.polytope, memory_.tool_);
 }
 
-void IntersectionClipper::place_object() noexcept {
+bool IntersectionClipper::place_object() noexcept {
   for (size_t i = 0; i < object_.polytope->vertices.size(); ++i) {
-    memory_.object_.points[i] = frame_.tool_from_object(memory_.dilation_.point(i));
+    memory_.object_.points()[i] = frame_.tool_from_object(memory_.dilation_.point(i));
   }
-  classify(tool_, *object_.polytope, memory_.object_);
+  return classify(tool_, *object_.polytope, memory_.object_);
 }
 
-void IntersectionClipper::classify(const Body& body, const Polytope& polytope, Side& side) noexcept {
-  if (!body.planes.empty()) {
-    classify_by_scan(body.planes, {side.points.data(), polytope.vertices.size()}, side.outside.data(),
-                     side.plane.data());
-    return;
+bool IntersectionClipper::classify(const Body& body, const Polytope& polytope, ClipSide& side) noexcept {
+  if (!body.planes.empty() && body.planes.size() <= ClipSide::kMaskBits) {
+    return side.classify(body.planes, polytope.vertices.size());
   }
-  // From vertex to neighbouring vertex: each walk over the faces starts where the last one ended, one edge away.
-  const FaceWalk walk(*body.polytope);
-  std::fill_n(side.plane.begin(), polytope.vertices.size(), -1);
-  const auto place = [&](int v, int hint) {
-    const size_t i = static_cast<size_t>(v);
-    const Located worst = walk.locate(side.points[i], hint);
-    side.plane[i] = worst.plane;
-    side.outside[i] = worst.slack > tolerances::kOnPlane ? 1 : 0;
-  };
-  size_t depth = 0;
-  place(0, walk.first_hint());
-  memory_.stack_[depth++] = 0;
-  while (depth > 0) {
-    const int v = memory_.stack_[--depth];
-    for (const int neighbor : polytope.neighbors_of(v)) {
-      if (side.plane[static_cast<size_t>(neighbor)] >= 0) continue;
-      place(neighbor, side.plane[static_cast<size_t>(v)]);
-      memory_.stack_[depth++] = neighbor;
-    }
-  }
-}
-
-bool IntersectionClipper::all_beyond_one_plane(const Side& side, size_t count) noexcept {
-  std::uint64_t common = ~std::uint64_t{0};
-  for (size_t i = 0; i < count; ++i) common &= side.outside[i];
-  return common != 0;
+  with_locator(body, [&](const auto& locator) { side.classify(locator, polytope); });
+  return true;
 }
 
 void IntersectionClipper::add_tool_vertices() noexcept {
   for (size_t i = 0; i < tool_.polytope->vertices.size(); ++i) {
-    if (memory_.tool_.outside[i] != 0) continue;
-    memory_.vertices_.add_new(memory_.tool_.points[i], {IntersectionVertexKind::kToolVertex, static_cast<int>(i)});
+    if (!memory_.tool_.is_inside(i)) continue;
+    memory_.vertices_.add_new(memory_.tool_.point(i), {IntersectionVertexKind::kToolVertex, static_cast<int>(i)});
   }
 }
 
 void IntersectionClipper::add_object_vertices() noexcept {
   for (size_t i = 0; i < object_.polytope->vertices.size(); ++i) {
-    if (memory_.object_.outside[i] != 0 || !memory_.dilation_.has_vertex(i)) continue;
+    if (!memory_.object_.is_inside(i) || !memory_.dilation_.has_vertex(i)) continue;
     memory_.vertices_.add(memory_.dilation_.point(i), {IntersectionVertexKind::kObjectVertex, static_cast<int>(i)});
   }
 }
 
 void IntersectionClipper::add_tool_edges() noexcept {
-  const Side& side = memory_.tool_;
+  const ClipSide& side = memory_.tool_;
   const auto add = [&](int edge, size_t from, size_t to, const ClipEntry& entry) {
-    memory_.vertices_.add(side.points[from] + entry.t * (side.points[to] - side.points[from]),
+    memory_.vertices_.add(side.point(from) + entry.t * (side.point(to) - side.point(from)),
                           {IntersectionVertexKind::kToolEdgeObjectFace, edge, entry.face});
   };
-  with_locator(object_, [&](const auto& locator) {
-    clip_edges(locator, *tool_.polytope, side.points.data(), side.outside.data(), side.plane.data(),
-               all_masked(object_.planes), add);
-  });
+  with_locator(object_, [&](const auto& locator) { side.clip_edges(locator, *tool_.polytope, add); });
 }
 
 void IntersectionClipper::add_object_edges() noexcept {
-  const Side& side = memory_.object_;
   const ClipDilation& dilated = memory_.dilation_;
   const auto add = [&](int edge, size_t from, size_t to, const ClipEntry& entry) {
     if (!dilated.has_vertex(from) || !dilated.has_vertex(to)) return;
@@ -206,10 +133,7 @@ void IntersectionClipper::add_object_edges() noexcept {
                           {IntersectionVertexKind::kObjectEdgeToolFace, std::min(faces[0], faces[1]),
                            std::max(faces[0], faces[1]), entry.face});
   };
-  with_locator(tool_, [&](const auto& locator) {
-    clip_edges(locator, *object_.polytope, side.points.data(), side.outside.data(), side.plane.data(),
-               all_masked(tool_.planes), add);
-  });
+  with_locator(tool_, [&](const auto& locator) { memory_.object_.clip_edges(locator, *object_.polytope, add); });
 }
 
 // Where dilation may change which faces meet, each dilated face's part inside the tool is cut out as a polygon.
@@ -242,7 +166,7 @@ void IntersectionClipper::cut_face_polygon(const ClipPlane& plane) noexcept {
 void IntersectionClipper::cut_by_tool() noexcept {
   ClipPolygon& polygon = memory_.polygon_;
   const FaceWalk walk(*tool_.polytope);
-  int hint = walk.first_hint();
+  int hint = 0;
   // Every cut takes off the corner that asked for it; no face is asked for twice.
   int remaining = static_cast<int>(tool_.polytope->faces.size());
   for (int i = 0; i < polygon.size() && remaining > 0;) {

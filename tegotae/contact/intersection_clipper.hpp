@@ -18,8 +18,6 @@ class IntersectionClipper {
   const ClipVertexSet& run() noexcept;
 
  private:
-  using Side = ClipWorkspace::Side;
-
   /// One of the two bodies as the other's vertices and edges see it.
   struct Body {
     const Polytope* polytope = nullptr;  ///< null: a half-space
@@ -31,10 +29,9 @@ class IntersectionClipper {
   void list_tool_planes() noexcept;
   template <class Function>
   static void with_locator(const Body& body, const Function& function) noexcept;
-  void place_tool() noexcept;
-  void place_object() noexcept;
-  void classify(const Body& body, const Polytope& polytope, Side& side) noexcept;
-  static bool all_beyond_one_plane(const Side& side, size_t count) noexcept;
+  bool place_tool() noexcept;
+  bool place_object() noexcept;
+  static bool classify(const Body& body, const Polytope& polytope, ClipSide& side) noexcept;
   void add_tool_vertices() noexcept;
   void add_object_vertices() noexcept;
   void add_tool_edges() noexcept;
