@@ -24,6 +24,9 @@ inline constexpr int kFirstContacts = 256;
 inline constexpr int kFirstRows = 1024;
 inline constexpr int kMaxRows = 9000;
 
+/// bytes. The most that newer MuJoCo's arena grows to, which holds its contacts and rows.
+inline constexpr long long kMaxArena = 1LL << 32;
+
 /// Warnings of one engine call that are kept word by word; a scene that warns more says nothing new.
 inline constexpr int kMaxKeptWarnings = 32;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/world/limits.hpp>
+#include <tegotae/world/engine_room.hpp>
 #include <tegotae/world/simulation.hpp>
 
 #include <fmt/format.h>
@@ -7,18 +7,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <stdexcept>
 
 namespace tegotae {
 namespace {
-
-// From 2.3 on MuJoCo keeps contacts and rows in one arena.
-#if mjVERSION_HEADER >= 230
-constexpr bool kHasArena = true;
-#else
-constexpr bool kHasArena = false;
-#endif
 
 // Calls visit(values, count) for all that a step starts from.
 template <class Visit>
@@ -51,7 +43,8 @@ void clear_warnings(mjData& d) {
 void Simulation::DataDeleter::operator()(mjData_* data) const noexcept { mj_deleteData(data); }
 
 Simulation::Simulation(ModelPointer model, int max_contacts) : model_(std::move(model)), max_contacts_(max_contacts) {
-  make_first_room();
+  set_room(*model_, first_room(*model_, max_contacts_));
+  diagnostics_.contact_capacity = room_of(*model_).contacts;
   EngineMessages messages;
   data_ = make_data(messages);
   if (data_ == nullptr) {
@@ -59,26 +52,6 @@ Simulation::Simulation(ModelPointer model, int max_contacts) : model_(std::move(
                                          messages.error.empty() ? "out of memory" : messages.error));
   }
   update_poses();
-}
-
-void Simulation::make_first_room() {
-#if mjVERSION_HEADER < 230
-  model_->nconmax = std::max(model_->nconmax, std::min(max_contacts_, world_limits::kFirstContacts));
-  model_->njmax = std::max(model_->njmax, world_limits::kFirstRows);
-  set_stack();
-  diagnostics_.contact_capacity = model_->nconmax;
-#endif
-}
-
-// Room that the solvers need for `njmax` rows: matrices of rows by degrees of freedom and of degrees of freedom by
-// themselves, a few of each. Only what is used becomes real memory.
-void Simulation::set_stack() {
-#if mjVERSION_HEADER < 230
-  const double rows = model_->njmax, freedoms = model_->nv;
-  const double doubles = 4.0 * (rows * freedoms + freedoms * freedoms) + 100.0 * (rows + freedoms);
-  const double most = 0.25 * std::numeric_limits<int>::max();
-  model_->nstack = std::max(model_->nstack, static_cast<int>(std::min(doubles, most)));
-#endif
 }
 
 Simulation::DataPointer Simulation::make_data(EngineMessages& messages) const {
@@ -113,43 +86,24 @@ bool Simulation::lacks_room(bool finished) const {
   return !finished || count_of(*data_, mjWARN_CONTACTFULL) > 0 || count_of(*data_, mjWARN_CNSTRFULL) > 0;
 }
 
-// Makes the state anew with twice the room of what was full; false if there is no more to be had. A step that MuJoCo
-// gave up needs a new state in any case.
+// Makes the state anew with more room; false if there is no more to be had. A step that MuJoCo gave up needs a new
+// state in any case.
 bool Simulation::make_room(bool finished) {
-  mjModel& m = *model_;
-#if mjVERSION_HEADER >= 230
-  const auto before = m.narena;
-  if (!no_more_room_) m.narena *= 2;
-  const bool larger = m.narena != before;
-#else
-  const int contacts = m.nconmax, rows = m.njmax, stack = m.nstack;
-  if (!no_more_room_ && count_of(*data_, mjWARN_CONTACTFULL) > 0) {
-    m.nconmax = std::max(contacts, std::min(2 * contacts, max_contacts_));
-  }
-  if (!no_more_room_ && count_of(*data_, mjWARN_CNSTRFULL) > 0) {
-    m.njmax = std::max(rows, std::min(2 * rows, world_limits::kMaxRows));
-    set_stack();
-  }
-  if (!no_more_room_ && !finished) m.nstack = std::max(stack, std::min(stack, std::numeric_limits<int>::max() / 8) * 2);
-  const bool larger = m.nconmax != contacts || m.njmax != rows || m.nstack != stack;
-#endif
+  const EngineRoom before = room_of(*model_);
+  const EngineRoom wanted = no_more_room_ ? before : enlarged_room(*model_, *data_, !finished, max_contacts_);
+  const bool larger = !(wanted == before);
   if (!larger && finished) return false;
+  set_room(*model_, wanted);
   EngineMessages messages;
   DataPointer made = make_data(messages);
   if (made == nullptr) {
-#if mjVERSION_HEADER >= 230
-    m.narena = before;
-#else
-    m.nconmax = contacts, m.njmax = rows, m.nstack = stack;
-#endif
+    set_room(*model_, before);
     no_more_room_ = true;
     return false;
   }
   data_ = std::move(made);
   diagnostics_.enlargements += larger ? 1 : 0;
-#if mjVERSION_HEADER < 230
-  diagnostics_.contact_capacity = m.nconmax;
-#endif
+  diagnostics_.contact_capacity = wanted.contacts;
   return larger;
 }
 
@@ -175,10 +129,14 @@ void Simulation::finish_step(bool finished, const EngineMessages& messages) {
   diagnostics_.engine_errors += finished ? 0 : 1;
   if (!messages.warnings.empty()) diagnostics_.last_message = messages.warnings.back();
   if (!messages.error.empty()) diagnostics_.last_message = messages.error;
-  if (!diverged && finished) return;
-  const double time = data_->time;
+  if (diverged || !finished) stop_bodies();
+}
+
+// The state that the step started from, at rest, a step later. The reset clears what an error left half done.
+void Simulation::stop_bodies() {
+  mj_resetData(model_.get(), data_.get());
   restore_inputs();
-  data_->time = std::max(data_->time + model_->opt.timestep, time);
+  data_->time += model_->opt.timestep;
   std::fill_n(data_->qvel, model_->nv, 0.0);
   std::fill_n(data_->qacc_warmstart, model_->nv, 0.0);
 }

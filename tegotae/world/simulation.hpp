@@ -43,15 +43,14 @@ class Simulation {
   };
   using DataPointer = std::unique_ptr<mjData_, DataDeleter>;
 
-  void make_first_room();
   DataPointer make_data(EngineMessages& messages) const;
   void save_inputs();
   void restore_inputs();
   bool try_step(EngineMessages& messages);
   bool lacks_room(bool finished) const;
   bool make_room(bool finished);
-  void set_stack();
   void finish_step(bool finished, const EngineMessages& messages);
+  void stop_bodies();
 
   ModelPointer model_;
   DataPointer data_;

@@ -55,13 +55,14 @@ void refuse_joints(const mjModel& m, const ToolBody& tool, const std::string& fi
 bool equality_holds_tool(const mjModel& m, const ToolBody& tool, int equality) {
   const auto body_of = [&](int object) {
     const int type = m.eq_type[equality];
-    if (object < 0 || type == mjEQ_JOINT || type == mjEQ_TENDON) return -1;
-#if mjVERSION_HEADER >= 300
-    if (type != mjEQ_CONNECT && type != mjEQ_WELD) return -1;
-    return m.eq_objtype[equality] == mjOBJ_SITE ? m.site_bodyid[object] : object;
-#else
-    return type == mjEQ_DISTANCE ? m.geom_bodyid[object] : object;
+    if (object < 0) return -1;
+#if mjVERSION_HEADER < 300
+    if (type == mjEQ_DISTANCE) return m.geom_bodyid[object];
 #endif
+#if mjVERSION_HEADER >= 323
+    if (m.eq_objtype[equality] == mjOBJ_SITE) return m.site_bodyid[object];
+#endif
+    return type == mjEQ_CONNECT || type == mjEQ_WELD ? object : -1;
   };
   const int first = body_of(m.eq_obj1id[equality]), second = body_of(m.eq_obj2id[equality]);
   return (first >= 0 && tool.has_body(first)) || (second >= 0 && tool.has_body(second));
