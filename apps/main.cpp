@@ -12,33 +12,38 @@ namespace {
 enum ExitCode { kFine = 0, kFailed = 1, kUsage = 2 };
 
 int usage_error(const CLI::App& program, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) {
-    program.exit(error);  // --help, --version: prints it
-    return kFine;
-  }
+  if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version: prints it
   std::fprintf(stderr, "tegotae: %s; see 'tegotae --help'.\n", error.what());
   return kUsage;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App program{"tegotae: 6-DoF haptic rendering of rigid bodies", "tegotae"};
   program.set_version_flag("--version", "tegotae " TEGOTAE_VERSION);
   program.require_subcommand(1);
+  tegotae::add_experiment_command(program);
+  tegotae::add_render_command(program);
+  tegotae::add_methods_command(program);
   try {
-    tegotae::add_experiment_command(program);
-    tegotae::add_render_command(program);
-    tegotae::add_methods_command(program);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return usage_error(program, error);
   } catch (const tegotae::UsageError& error) {
     std::fprintf(stderr, "tegotae: %s\n", error.what());
     return kUsage;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "tegotae: %s\n", error.what());
-    return kFailed;
   }
   return kFine;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tegotae: %s\n", error.what());
+  } catch (...) {
+    std::fputs("tegotae: an unknown error.\n", stderr);
+  }
+  return kFailed;
 }

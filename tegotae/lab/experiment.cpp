@@ -3,6 +3,7 @@
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/paper_cube.hpp>
 #include <tegotae/lab/paper_tools.hpp>
+#include <tegotae/lab/tilt_sweep.hpp>
 
 #include <fmt/format.h>
 
@@ -18,10 +19,8 @@ std::vector<Variant> metric_length_variants() {
 
 std::span<const Experiment> experiments() {
   static const std::vector<Experiment> all = {
-      paper_cube_experiment(),
-      tool_18_experiment(),
-      tool_230_round_experiment(),
-      tool_230_flat_experiment(),
+      paper_cube_experiment(),    tool_18_experiment(),    tool_230_round_experiment(),
+      tool_230_flat_experiment(), tilt_sweep_experiment(),
   };
   return all;
 }

@@ -92,7 +92,7 @@ std::filesystem::path draw_figures(const Experiment& experiment, const Experimen
                                    const std::filesystem::path& folder) {
   std::vector<RunSamples> runs;
   for (const VariantResult& variant : result.variants) runs.push_back({variant.records, variant.settings});
-  const std::filesystem::path figures = folder / "figures";
+  std::filesystem::path figures = folder / "figures";
   for (const Figure& figure : experiment.figures) draw(figure, runs, figures);
   return figures;
 }

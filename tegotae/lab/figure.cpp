@@ -17,7 +17,7 @@ namespace {
 constexpr int kWidth = 900, kTopHeight = 90, kPanelHeight = 260;
 
 // Points of a curve after thinning: about one a pixel.
-constexpr size_t kMaxPoints = 1600;
+constexpr size_t kMaxPoints = 1000;
 
 std::vector<PlotPoint> points_of(const Figure& figure, const Curve& curve, const RunSamples& run) {
   std::vector<PlotPoint> points;

@@ -55,6 +55,11 @@ PhaseSummary summary_of(const Experiment& experiment, const Phase& phase, std::s
       spread_of(records, [&](const TickRecord& r) { return along_torque.dot(r.wrench.torque.vector()); });
   summary.contacts = spread_of(records, [](const TickRecord& r) { return static_cast<double>(r.active); });
   summary.deepest = spread_of(records, [](const TickRecord& r) { return r.deepest; });
+  for (size_t i = 1; i < records.size(); ++i) {
+    const Wrench step = Wrench(records[i].wrench) - Wrench(records[i - 1].wrench);
+    summary.greatest_force_step = std::max(summary.greatest_force_step, step.force.norm());
+    summary.greatest_torque_step = std::max(summary.greatest_torque_step, step.torque.norm());
+  }
   for (const TickRecord& record : records) summary.tick_times.add(record.tick_us * 1e-6);
   return summary;
 }

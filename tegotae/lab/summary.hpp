@@ -31,6 +31,8 @@ struct PhaseSummary {
   Spread reported_force, reported_torque;  ///< along the experiment's axes
   Spread contacts;                         ///< contact points that push
   Spread deepest;                          ///< m
+  double greatest_force_step = 0.0;        ///< of the method's force from a tick of the phase to the next, N
+  double greatest_torque_step = 0.0;       ///< of its torque, N m
   DurationHistogram tick_times;            ///< s
 };
 

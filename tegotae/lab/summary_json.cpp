@@ -42,7 +42,9 @@ Json json_of(const PhaseSummary& summary) {
             {"z", json_of(summary.torque[2])},
             {"norm", json_of(summary.torque_norm)}}},
           {"contacts", json_of(summary.contacts)},
-          {"deepest_m", json_of(summary.deepest)}};
+          {"deepest_m", json_of(summary.deepest)},
+          {"greatest_force_step_N", summary.greatest_force_step},
+          {"greatest_torque_step_N_m", summary.greatest_torque_step}};
 }
 
 Json json_of(const DurationHistogram& durations, double unit) {

@@ -38,6 +38,8 @@ double default_metric_length(std::string_view name, const Tool& tool);
 /// there is none of that name or a setting is out of range. Allocates.
 RenderingMethod make_method(std::string_view name, const MethodSettings& settings, const Tool& tool);
 
+// std::visit throws where the variant holds nothing, which it never does: methods are moved in whole.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 inline void render(RenderingMethod& method, const RenderInput& input, RenderOutput& output) noexcept {
   std::visit([&](auto& chosen) { chosen.render(input, output); }, method);
 }

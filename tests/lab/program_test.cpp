@@ -50,7 +50,7 @@ TEST(Program, TellsItsVersionAndHelp) {
 TEST(Program, ListsExperimentsAndMethods) {
   const ProgramResult experiments = run_program({"experiment", "--list"});
   EXPECT_EQ(experiments.exit_code, 0);
-  for (const char* name : {"paper-cube", "tool-18", "tool-230-round", "tool-230-flat"}) {
+  for (const char* name : {"paper-cube", "tool-18", "tool-230-round", "tool-230-flat", "tilt-sweep"}) {
     EXPECT_THAT(experiments.out, HasSubstr(name));
   }
   EXPECT_THAT(run_program({"methods"}).out, HasSubstr("paper"));

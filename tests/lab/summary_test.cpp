@@ -57,6 +57,8 @@ TEST(Summary, SpreadsAreLeastGreatestAndMean) {
   EXPECT_EQ(second.force[0].max, 0.0);
   EXPECT_EQ(second.torque_norm.max, 20.0);
   EXPECT_EQ(second.contacts.max, 2.0);
+  EXPECT_EQ(second.greatest_force_step, 1.0);
+  EXPECT_EQ(second.greatest_torque_step, 1.0);
 }
 
 TEST(Summary, CountsStatusesEventsAndDroppedPoints) {
