@@ -68,7 +68,7 @@ Experiment press_and_roll(const std::string& name, const std::string& summary) {
   experiment.figures = figures();
   experiment.notes =
       "Force and torque follow the tool's shape; pressing until all vertices below are in the floor does not change "
-      "the force abruptly, and every tick keeps its time.";
+      "the force abruptly.";
   return experiment;
 }
 
