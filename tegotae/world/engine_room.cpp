@@ -19,7 +19,7 @@ void set_room(mjModel_& model, const EngineRoom& room) {
 
 EngineRoom first_room(const mjModel_& model, int /*max_contacts*/) { return room_of(model); }
 
-EngineRoom enlarged_room(const mjModel_& model, const mjData_& /*data*/, bool /*gave_up*/, int /*max_contacts*/) {
+EngineRoom enlarged_room(const mjModel_& model, const mjData_& /*data*/, bool /*stack_full*/, int /*max_contacts*/) {
   EngineRoom room = room_of(model);
   room.arena = std::max(room.arena, std::min(2 * room.arena, world_limits::kMaxArena));
   return room;
@@ -58,12 +58,12 @@ EngineRoom first_room(const mjModel_& model, int max_contacts) {
   return room;
 }
 
-EngineRoom enlarged_room(const mjModel_& model, const mjData_& data, bool gave_up, int max_contacts) {
+EngineRoom enlarged_room(const mjModel_& model, const mjData_& data, bool stack_full, int max_contacts) {
   EngineRoom room = room_of(model);
   if (data.warning[mjWARN_CONTACTFULL].number > 0) room.contacts = doubled(room.contacts, max_contacts);
   if (data.warning[mjWARN_CNSTRFULL].number > 0) room.rows = doubled(room.rows, world_limits::kMaxRows);
   room.stack = std::max(room.stack, stack_for(model, room.rows));
-  if (gave_up) room.stack = doubled(room.stack, kMostNumbers);
+  if (stack_full) room.stack = doubled(room.stack, kMostNumbers);
   return room;
 }
 

@@ -26,7 +26,7 @@ void set_room(mjModel_& model, const EngineRoom& room);
 EngineRoom first_room(const mjModel_& model, int max_contacts);
 
 /// Twice the room of what was found full in the step that led to `data`; all that is bounded stays below its limit.
-/// `gave_up`: MuJoCo ended the step by an error, for want of stack as a rule.
-EngineRoom enlarged_room(const mjModel_& model, const mjData_& data, bool gave_up, int max_contacts);
+/// `stack_full`: MuJoCo ended the step for want of stack.
+EngineRoom enlarged_room(const mjModel_& model, const mjData_& data, bool stack_full, int max_contacts);
 
 }  // namespace tegotae

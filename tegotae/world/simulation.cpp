@@ -82,20 +82,19 @@ bool Simulation::try_step(EngineMessages& messages) {
   return run_guarded(messages, [m, d] { mj_step(m, d); });
 }
 
-bool Simulation::lacks_room(bool finished) const {
-  return !finished || count_of(*data_, mjWARN_CONTACTFULL) > 0 || count_of(*data_, mjWARN_CNSTRFULL) > 0;
-}
-
-// Makes the state anew with more room; false if there is no more to be had. A step that MuJoCo gave up needs a new
-// state in any case.
-bool Simulation::make_room(bool finished) {
+// Makes the state anew if the step lacked room and there is more to be had; false if there is no use in doing it again.
+// A step that MuJoCo gave up needs a new state in any case.
+bool Simulation::make_room(bool finished, const EngineMessages& messages) {
+  const bool stack_full = messages.error.find("tack overflow") != std::string::npos;
+  const bool lists_full = count_of(*data_, mjWARN_CONTACTFULL) > 0 || count_of(*data_, mjWARN_CNSTRFULL) > 0;
+  const bool lacks_room = (stack_full || lists_full) && !no_more_room_;
   const EngineRoom before = room_of(*model_);
-  const EngineRoom wanted = no_more_room_ ? before : enlarged_room(*model_, *data_, !finished, max_contacts_);
+  const EngineRoom wanted = lacks_room ? enlarged_room(*model_, *data_, stack_full, max_contacts_) : before;
   const bool larger = !(wanted == before);
   if (!larger && finished) return false;
   set_room(*model_, wanted);
-  EngineMessages messages;
-  DataPointer made = make_data(messages);
+  EngineMessages making;
+  DataPointer made = make_data(making);
   if (made == nullptr) {
     set_room(*model_, before);
     no_more_room_ = true;
@@ -111,7 +110,7 @@ void Simulation::step() {
   EngineMessages messages;
   save_inputs();
   bool finished = try_step(messages);
-  while (lacks_room(finished) && make_room(finished)) {
+  while (make_room(finished, messages)) {
     restore_inputs();
     messages = {};
     finished = try_step(messages);

@@ -47,8 +47,7 @@ class Simulation {
   void save_inputs();
   void restore_inputs();
   bool try_step(EngineMessages& messages);
-  bool lacks_room(bool finished) const;
-  bool make_room(bool finished);
+  bool make_room(bool finished, const EngineMessages& messages);
   void finish_step(bool finished, const EngineMessages& messages);
   void stop_bodies();
 

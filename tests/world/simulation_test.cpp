@@ -89,7 +89,46 @@ TEST_F(Simulated, DivergenceStopsTheBodiesAndIsCounted) {
   EXPECT_GT(states_of(*world)[0].V_WB.linear.x(), 0.1);
 }
 
-// A joint's position sensor cannot see the tool, but a frame's can: both forms of the tool follow the hand.
+// MuJoCo's own errors cannot be had at will: a callback raises them.
+int errors_to_raise = 0;
+const char* error_to_raise = "";
+void raise_errors(const mjModel* /*model*/, mjData* /*data*/) {
+  if (errors_to_raise-- > 0) mju_error(error_to_raise);
+}
+
+class SimulatedErrors : public Simulated {
+ protected:
+  void raise(const char* text, int count) {
+    error_to_raise = text;
+    errors_to_raise = count;
+    mjcb_passive = raise_errors;
+  }
+  ~SimulatedErrors() override { mjcb_passive = nullptr; }
+};
+
+TEST_F(SimulatedErrors, StopTheBodiesAndAreCounted) {
+  const auto world =
+      load("<worldbody>" + kTool + "<body pos='1 2 3'><freejoint/><geom size='0.1'/></body></worldbody>");
+  raise("broken", 2);
+  world->advance(0.006, {}, no_impulses(*world));
+  EXPECT_EQ(world->diagnostics().engine_errors, 2U);
+  EXPECT_EQ(world->diagnostics().enlargements, 0U);
+  EXPECT_EQ(world->diagnostics().last_message, "broken");
+  EXPECT_NEAR(states_of(*world)[0].V_WB.linear.z(), -9.81 * 0.002, 1e-12);
+  EXPECT_NEAR(world->time(), 0.006, 1e-15);
+}
+
+TEST_F(SimulatedErrors, WantOfStackIsCured) {
+  const auto world =
+      load("<worldbody>" + kTool + "<body pos='1 2 3'><freejoint/><geom size='0.1'/></body></worldbody>");
+  raise("Stack overflow", 2);
+  world->advance(0.006, {}, no_impulses(*world));
+  EXPECT_EQ(world->diagnostics().enlargements, 2U);
+  EXPECT_TRUE(world->diagnostics().is_healthy());
+  EXPECT_NEAR(states_of(*world)[0].V_WB.linear.z(), -9.81 * 0.006, 1e-12);
+}
+
+// Both forms of the tool follow the hand.
 TEST_F(Simulated, TheToolFollowsTheHandInMujoco) {
   for (const char* mocap : {"mocap='true'", ""}) {
     const std::string tool_body = "<body name='tool' " + std::string(mocap) + " pos='0 0 1'><geom size='0.05'/></body>";
