@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <tegotae/render/constraint_solver.hpp>
-#include <tegotae/render/coupling.hpp>
-#include <tegotae/render/render_types.hpp>
+#include <tegotae/render/contact_rows.hpp>
 
 namespace tegotae {
 
@@ -41,13 +39,7 @@ class PaperMethod {
   void set_coupling(const Coupling& coupling) noexcept { parameters_.coupling = coupling; }
 
  private:
-  bool add_constraints(const RenderInput& input, const Vector3& p_WCm, RenderOutput& output) noexcept;
-  void push_bodies(const RenderInput& input, RenderOutput& output) const noexcept;
-
-  struct RowSource {
-    int plane;
-    int point;
-  };
+  void add_constraints(const RenderInput& input, const Vector3& p_WCm, RenderOutput& output) noexcept;
 
   Parameters parameters_;
   Vector3 p_TCm_;
@@ -55,7 +47,7 @@ class PaperMethod {
   ConstraintWorkspace<6> workspace_;
   ConstraintSolution<6> solution_;
   ConstraintSolver<6> solver_;
-  std::array<RowSource, kMaxContactPoints> row_sources_{};
+  ContactRows rows_;
   Vector6 displacement_before_ = Vector6::Zero();
 };
 

@@ -11,7 +11,7 @@ namespace tegotae {
 
 /// What a rendering method is given each tick.
 struct RenderInput {
-  const IntermediateRepresentation& model;  ///< interpolated to now
+  const IntermediateRepresentation& model;  ///< interpolated to now, unless the method holds it
   Pose X_WT;                                ///< tool, where the hand holds it
   double dt = 1e-3;                         ///< haptic period, s
 };

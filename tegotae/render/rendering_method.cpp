@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/render/rendering_method.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -10,6 +12,10 @@ namespace {
 
 constexpr MethodName kMethods[] = {
     {"paper", "Susu and Hasegawa: least displacement that frees the penetrating contact points"},
+    {"adachi", "Adachi, Kumano and Ogino: one point and one plane, force only"},
+    {"berkelman", "Berkelman and Hollis: a spring at each penetrating contact point, summed"},
+    {"otaduy-lin", "Otaduy and Lin: tool with mass, penalty contact, implicit integration, virtual coupling"},
+    {"ortega", "Ortega, Redon and Coquillart: god-object, constrained minus unconstrained acceleration"},
 };
 
 // Ranges beyond which a setting is a slip of the pen: no interface displays more, no tool is larger.
@@ -31,6 +37,12 @@ Coupling make_coupling(const MethodSettings& settings, double default_metric_len
   return {settings.stiffness, settings.damping, metric_length};
 }
 
+[[noreturn]] void throw_unknown(std::string_view name) {
+  std::string names;
+  for (const MethodName& method : kMethods) names.append(names.empty() ? "" : ", ").append(method.name);
+  throw std::invalid_argument("there is no method '" + std::string(name) + "'; there are: " + names);
+}
+
 }  // namespace
 
 std::span<const MethodName> method_names() noexcept { return kMethods; }
@@ -41,13 +53,15 @@ double default_metric_length(std::string_view name, const Tool& tool) {
 }
 
 RenderingMethod make_method(std::string_view name, const MethodSettings& settings, const Tool& tool) {
-  if (name == "paper") {
-    return PaperMethod({make_coupling(settings, default_metric_length(name, tool)), settings.constraint_set},
-                       tool.mass.centre_of_mass);
-  }
-  std::string names;
-  for (const MethodName& method : kMethods) names.append(names.empty() ? "" : ", ").append(method.name);
-  throw std::invalid_argument("there is no method '" + std::string(name) + "'; there are: " + names);
+  const auto is_known = [name](const MethodName& method) { return method.name == name; };
+  if (std::none_of(std::begin(kMethods), std::end(kMethods), is_known)) throw_unknown(name);
+  const Coupling coupling = make_coupling(settings, default_metric_length(name, tool));
+  const Vector3& p_TCm = tool.mass.centre_of_mass;
+  if (name == "adachi") return AdachiMethod(coupling, p_TCm);
+  if (name == "berkelman") return BerkelmanMethod(coupling, p_TCm);
+  if (name == "otaduy-lin") return OtaduyLinMethod({coupling}, tool.mass);
+  if (name == "ortega") return OrtegaMethod(coupling, tool.mass);
+  return PaperMethod({coupling, settings.constraint_set}, p_TCm);
 }
 
 }  // namespace tegotae

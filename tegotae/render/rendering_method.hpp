@@ -2,6 +2,10 @@
 #pragma once
 
 #include <tegotae/model/scene_geometry.hpp>
+#include <tegotae/render/adachi_method.hpp>
+#include <tegotae/render/berkelman_method.hpp>
+#include <tegotae/render/ortega_method.hpp>
+#include <tegotae/render/otaduy_lin_method.hpp>
 #include <tegotae/render/paper_method.hpp>
 
 #include <optional>
@@ -12,7 +16,7 @@
 namespace tegotae {
 
 /// Any of the methods. They share a port, not a base class: `render(RenderInput, RenderOutput&) noexcept`, `reset()`.
-using RenderingMethod = std::variant<PaperMethod>;
+using RenderingMethod = std::variant<PaperMethod, AdachiMethod, BerkelmanMethod, OtaduyLinMethod, OrtegaMethod>;
 
 /// What a user may set of a method.
 struct MethodSettings {
@@ -42,6 +46,18 @@ RenderingMethod make_method(std::string_view name, const MethodSettings& setting
 // NOLINTNEXTLINE(bugprone-exception-escape)
 inline void render(RenderingMethod& method, const RenderInput& input, RenderOutput& output) noexcept {
   std::visit([&](auto& chosen) { chosen.render(input, output); }, method);
+}
+
+/// Whether the method renders each model as it was received until the next one comes, as its source does: it declares
+/// `kHoldsModel`. The others are given models interpolated to now.
+inline bool holds_model(const RenderingMethod& method) noexcept {
+  return std::visit(
+      [](const auto& chosen) {
+        using Method = std::decay_t<decltype(chosen)>;
+        if constexpr (requires { Method::kHoldsModel; }) return Method::kHoldsModel;
+        return false;
+      },
+      method);
 }
 
 }  // namespace tegotae

@@ -48,13 +48,14 @@ InterfaceState HapticTick::held(const InterfaceState& state) noexcept {
   return result;
 }
 
-// Between two models the contact state is taken to change linearly, over the period of the newest.
+// Between two models the contact state is taken to change linearly, over the period of the newest; for a method that
+// holds its model it is the newest's.
 const IntermediateRepresentation& HapticTick::model_at(double time, const IntermediateRepresentation* fresh) noexcept {
   if (fresh != nullptr) {
     interpolator_.accept(*fresh);
     model_arrival_ = time;
   }
-  const double period = interpolator_.newest_period();
+  const double period = holds_model(method_) ? 0.0 : interpolator_.newest_period();
   return interpolator_.at(period > 0.0 ? (time - model_arrival_) / period : 1.0);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/math/rotation.hpp>
 #include <tegotae/render/paper_method.hpp>
 
 #include <tests/allocation_counter.hpp>
+#include <tests/render/contact_models.hpp>
 
 #include <gtest/gtest.h>
 
@@ -14,36 +14,16 @@
 namespace tegotae {
 namespace {
 
-constexpr double kHalfEdge = 0.1;  // m, of the paper's cube
-constexpr double kStiffness = 9000.0;
-const double kGyration = 2.0 * kHalfEdge / std::sqrt(6.0);
+using testing::cube_on_floor;
+using testing::cube_pose;
+using testing::height_for;
+using testing::kGyration;
+using testing::kHalfEdge;
 
-// All corners of the cube against the floor y = 0.
-std::unique_ptr<IntermediateRepresentation> cube_on_floor() {
-  auto model = std::make_unique<IntermediateRepresentation>();
-  model->sequence = 1;
-  model->plane_count = 1;
-  model->planes[0].n_W = Vector3(0.0, 1.0, 0.0);
-  model->planes[0].p_W = PlainVector3();
-  for (int i = 0; i < 8; ++i) {
-    model->points[static_cast<size_t>(i)] = {
-        Vector3((i & 1) != 0 ? kHalfEdge : -kHalfEdge, (i & 2) != 0 ? kHalfEdge : -kHalfEdge,
-                (i & 4) != 0 ? kHalfEdge : -kHalfEdge),
-        static_cast<std::uint64_t>(i + 1)};
-  }
-  model->point_count = model->planes[0].point_count = 8;
-  return model;
-}
+constexpr double kStiffness = 9000.0;
 
 PaperMethod method(double metric_length, ConstraintSet set = ConstraintSet::kPenetratingPoints) {
   return PaperMethod({{kStiffness, 0.0, metric_length}, set}, Vector3::Zero());
-}
-
-Pose cube_pose(double angle, double height) { return {{0.0, height, 0.0}, rotation_from_vector({0.0, 0.0, angle})}; }
-
-// Height of the centre at which the lowest edge is `depth` below the floor.
-double height_for(double angle, double depth) {
-  return kHalfEdge * (std::abs(std::cos(angle)) + std::abs(std::sin(angle))) - depth;
 }
 
 TEST(PaperMethod, AnEdgeIsFeltAsTheClosedFormSays) {
