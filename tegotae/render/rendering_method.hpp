@@ -48,16 +48,17 @@ inline void render(RenderingMethod& method, const RenderInput& input, RenderOutp
   std::visit([&](auto& chosen) { chosen.render(input, output); }, method);
 }
 
-/// Whether the method renders each model as it was received until the next one comes, as its source does: it declares
+/// Whether a method renders each model as it was received until the next one comes, as its source does: it declares
 /// `kHoldsModel`. The others are given models interpolated to now.
-inline bool holds_model(const RenderingMethod& method) noexcept {
-  return std::visit(
-      [](const auto& chosen) {
-        using Method = std::decay_t<decltype(chosen)>;
-        if constexpr (requires { Method::kHoldsModel; }) return Method::kHoldsModel;
-        return false;
-      },
-      method);
+template <class Method>
+constexpr bool declares_holding() noexcept {
+  if constexpr (requires { Method::kHoldsModel; }) return Method::kHoldsModel;
+  return false;
+}
+template <class... Methods>
+bool holds_model(const std::variant<Methods...>& method) noexcept {
+  constexpr bool kHolds[] = {declares_holding<Methods>()...};
+  return !method.valueless_by_exception() && kHolds[method.index()];
 }
 
 }  // namespace tegotae
