@@ -44,8 +44,14 @@ RenderingMethod make_method(std::string_view name, const MethodSettings& setting
 
 // std::visit throws where the variant holds nothing, which it never does: methods are moved in whole.
 // NOLINTNEXTLINE(bugprone-exception-escape)
-inline void render(RenderingMethod& method, const RenderInput& input, RenderOutput& output) noexcept {
-  std::visit([&](auto& chosen) { chosen.render(input, output); }, method);
+/// Renders with the method that there is. Not by std::visit, which may throw.
+template <class... Methods>
+void render(std::variant<Methods...>& method, const RenderInput& input, RenderOutput& output) noexcept {
+  const auto render_with = [&](auto* chosen) {
+    if (chosen != nullptr) chosen->render(input, output);
+    return chosen != nullptr;
+  };
+  (render_with(std::get_if<Methods>(&method)) || ...);
 }
 
 /// Whether a method renders each model as it was received until the next one comes, as its source does: it declares

@@ -46,7 +46,8 @@ TEST(BerkelmanMethod, TheTorqueIsThatOfTheForces) {
   const auto cube = cube_on_floor();
   BerkelmanMethod berkelman = method();
   RenderOutput output;
-  for (double angle = 0.02; angle < 0.78; angle += 0.05) {
+  for (int i = 0; i <= 15; ++i) {
+    const double angle = 0.02 + 0.05 * i;
     berkelman.render({*cube, cube_pose(angle, height_for(angle, 1e-4)), kTick}, output);
     const double lever = kHalfEdge * (std::cos(angle) - std::sin(angle));
     const double force = 2.0 * kStiffness * 1e-4;

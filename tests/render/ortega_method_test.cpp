@@ -39,7 +39,8 @@ double deepest_at(const IntermediateRepresentation& model, const Pose& X_W) { re
 TEST(OrtegaMethod, AnEdgeIsFeltAsTheClosedFormSays) {
   const auto model = cube_on_floor();
   const double depth = 1e-4;
-  for (double angle = 0.05; angle < 0.78; angle += 0.05) {
+  for (int i = 1; i <= 15; ++i) {
+    const double angle = 0.05 * i;
     OrtegaMethod ortega = method();
     const RenderOutput output = settled(ortega, *model, cube_pose(angle, height_for(angle, depth)));
     const double lever = kHalfEdge * (std::cos(angle) - std::sin(angle));

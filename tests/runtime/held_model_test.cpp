@@ -33,7 +33,8 @@ double greatest_step(std::string_view method, double& last) {
   for (int i = 0; i < 200; ++i) {
     const bool fresh = i % 50 == 0;
     if (fresh) {
-      world.body(0).X_WB.p.y() = -0.1 + 1e-4 * (i / 50 + 1);
+      const int models = i / 50 + 1;
+      world.body(0).X_WB.p.y() = -0.1 + 1e-4 * models;
       physics.build(i * kPeriod, {held, {}}, *model);
     }
     InterfaceState state;
