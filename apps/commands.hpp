@@ -18,5 +18,6 @@ struct UsageError : std::runtime_error {
 void add_experiment_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_methods_command(CLI::App& program);
+void add_stability_command(CLI::App& program);
 
 }  // namespace tegotae

@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   tegotae::add_experiment_command(program);
   tegotae::add_render_command(program);
   tegotae::add_methods_command(program);
+  tegotae::add_stability_command(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -11,4 +11,8 @@ inline constexpr double kQuaternionNorm = 1e-3;
 /// Ticks of one run, above which a trajectory's time column is taken not to be in seconds: at 1 kHz this is a day.
 inline constexpr double kMaxTicks = 1e8;
 
+/// Wrench (N, torque divided by the metric length) below which a tick counts as free of contact: above what rounding
+/// leaves of a coupling of 1e6 N/m over lengths of a metre (2e-10 N), far below anything felt.
+inline constexpr double kFreeWrench = 1e-9;
+
 }  // namespace tegotae::tolerance

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/closed_loop.hpp>
+#include <tegotae/lab/static_world.hpp>
+
+#include <memory>
+
+namespace tegotae {
+
+SafetyLimits no_safety_limits(const SessionSettings& settings) {
+  constexpr double kNever = 1e12;  // N/s, N m/s
+  SafetyLimits limits;
+  limits.period = 1.0 / settings.haptic_rate;
+  limits.ramp_time = 0.0;
+  limits.force_rate = limits.torque_rate = kNever;
+  limits.max_force = limits.max_torque = kLargestWrench;
+  limits.max_model_age = 4.0 / settings.physics_rate;
+  limits.metric_length = settings.metric_length;
+  return limits;
+}
+
+void run_closed_loop(const SceneGeometry& scene, const SessionSettings& settings, SimulatedHandInterface& interface,
+                     double duration, const TickObserver& observer) {
+  StaticWorld world(scene);
+  const Tool& tool = world.geometry().tool;
+  const double period = 1.0 / settings.haptic_rate;
+  PhysicsLoop physics(world, {1.0 / settings.physics_rate, settings.margin});
+  const auto haptics =
+      std::make_unique<HapticTick>(settings.make_method(tool), tool, no_safety_limits(settings), period);
+  run_simulated(physics, *haptics, interface, period, duration, observer);
+}
+
+}  // namespace tegotae
