@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -106,16 +107,22 @@ void print_setup(const StabilityReport& report) {
       report.setup.settings.haptic_rate, report.setup.settings.physics_rate);
 }
 
+// Marked where nothing unstable was found.
+std::string largest_text(const StabilityLimit& limit) {
+  return fmt::format("{}{:.4g}", std::isfinite(limit.smallest_unstable) ? "" : "> ", limit.largest_stable);
+}
+
 void print_report(const StabilityReport& report) {
   print_setup(report);
-  fmt::print("{:<14}{:>9}  {:<9}{:>14}{:>14}{:>8}{:>14}{:>8}{:>14}{:>8}\n", "method", "l [m]", "contact",
+  fmt::print("{:<14}{:>9}  {:<9}{:>14}{:>14}{:>9}{:>14}{:>10}{:>14}{:>10}\n", "method", "l [m]", "contact",
              "largest [N/m]", "linear [N/m]", "ratio", "C-S [N/m]", "ratio", "A-O [N/m]", "ratio");
   for (const StabilityRow& row : report.limits) {
     const StiffnessBounds& bounds = row.bounds;
     const double largest = row.limit.largest_stable;
-    fmt::print("{:<14}{:>9.4g}  {:<9}{:>14.4g}{:>14.4g}{:>8.3f}{:>14.4g}{:>8.3g}{:>14.4g}{:>8.3g}\n", row.method,
-               row.metric_length, row.contact, largest, bounds.linear, row.ratio_to_linear(), bounds.colgate_schenkel,
-               largest / bounds.colgate_schenkel, bounds.abbott_okamura, largest / bounds.abbott_okamura);
+    fmt::print("{:<14}{:>9.4g}  {:<9}{:>14}{:>14.4g}{:>9.3f}{:>14.4g}{:>10.3g}{:>14.4g}{:>10.3g}\n", row.method,
+               row.metric_length, row.contact, largest_text(row.limit), bounds.linear, row.ratio_to_linear(),
+               bounds.colgate_schenkel, largest / bounds.colgate_schenkel, bounds.abbott_okamura,
+               largest / bounds.abbott_okamura);
   }
   fmt::print(
       "linear: (b + B)/(T/2 + t_d) of interface and hand, the least of translation and rotation;\n"

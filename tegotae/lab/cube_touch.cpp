@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace tegotae {
 namespace {
@@ -49,13 +50,24 @@ SceneGeometry cube_over_floor() {
   return scene;
 }
 
-Trajectory CubeTouch::motion(const Tool& tool, const TouchedFeature& feature) {
+CubeTouch::CubeTouch(const GripMechanics& mechanics, const HandImpedance& hand)
+    : depth_(kPress + mechanics.friction_force / hand.stiffness) {
+  if (!(hand.stiffness > 0.0)) throw InputError("a hand without stiffness cannot press on the floor.");
+}
+
+Trajectory CubeTouch::motion(const Tool& tool, const TouchedFeature& feature) const {
   const double touching = -lowest_height(tool, feature.q_WT, Vector3::UnitZ());
-  const Vector3 turn = kTurning * 0.5 * kEnd * Vector3(0.8, 0.6, 0.0);  // of no symmetry of the cube
-  const double middle = touching + 0.5 * (kGap - kPress);
-  return Trajectory({{0.0, {{0.0, 0.0, touching + kGap}, feature.q_WT}},
-                     {0.5 * kEnd, {{0.0, 0.0, middle}, rotation_from_vector(turn) * feature.q_WT}},
-                     {kEnd, {{0.0, 0.0, touching - kPress}, feature.q_WT}}});
+  const double begin = end() - (kGap + kPress) / kSpeed, middle = 0.5 * (begin + end());  // s, of the turning
+  const Vector3 turn = kTurning * (middle - begin) * Vector3(0.8, 0.6, 0.0);              // of no symmetry of the cube
+  const auto at = [&](double time, const Vector3& angle) {
+    const double height = touching + kGap - kSpeed * time;
+    return Trajectory::Sample{time, {{0.0, 0.0, height}, rotation_from_vector(angle) * feature.q_WT}};
+  };
+  std::vector<Trajectory::Sample> samples{at(0.0, Vector3::Zero())};
+  if (begin > 0.0) samples.push_back(at(begin, Vector3::Zero()));
+  samples.push_back(at(middle, turn));
+  samples.push_back(at(end(), Vector3::Zero()));
+  return Trajectory(std::move(samples));
 }
 
 }  // namespace tegotae

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/closed_loop.hpp>
 #include <tegotae/lab/decay_judge.hpp>
+#include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/stability.hpp>
+#include <tegotae/lab/tolerances.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +14,17 @@ bool touch_decays(const StabilitySetup& setup, const TouchedFeature& feature, do
   const SceneGeometry scene = cube_over_floor();
   SessionSettings settings = setup.settings;
   settings.stiffness = stiffness;
-  SimulatedHandInterface interface(CubeTouch::motion(scene.tool, feature), setup.device, setup.hand);
-  DecayJudge judge(CubeTouch::kEnd);
+  const CubeTouch touch(setup.device.mechanics, setup.hand);
+  SimulatedHandInterface interface(touch.motion(scene.tool, feature), setup.device, setup.hand);
+  DecayJudge judge(touch.end());
+  bool touched = false;
   const double gyration_length = scene.tool.mass.gyration_length();
-  run_closed_loop(scene, settings, interface, CubeTouch::kEnd + DecayJudge::kDuration, [&](const TickRecord& record) {
+  run_closed_loop(scene, settings, interface, touch.end() + DecayJudge::kDuration, [&](const TickRecord& record) {
+    touched = touched || record.displayed.force.vector().norm() > tolerance::kFreeWrench;
     const Twist& V_WG = interface.grip().V_WG;
     return judge.add(record.time, std::hypot(V_WG.linear.norm(), gyration_length * V_WG.angular.norm()));
   });
+  if (!touched) throw InputError("the method displayed no force when the hand touched: there is nothing to judge.");
   return judge.decayed();
 }
 

@@ -32,7 +32,8 @@ struct StabilityRow {
 inline constexpr double kStabilityWidth = 0.01;
 
 /// Whether the touch of `feature` (CubeTouch) decays (DecayJudge) at `stiffness` (N/m), in closed loop. The speed that
-/// is judged is the grip's true one, sqrt(v^2 + l_g^2 w^2) with the cube's gyration length l_g.
+/// is judged is the grip's true one, sqrt(v^2 + l_g^2 w^2) with the cube's gyration length l_g. Throws InputError where
+/// the method displays nothing.
 bool touch_decays(const StabilitySetup& setup, const TouchedFeature& feature, double stiffness);
 
 /// The largest stiffness at which it does, by bisection; tells progress from 0 to 1.

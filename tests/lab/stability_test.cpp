@@ -4,6 +4,7 @@
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/random_contact.hpp>
 #include <tegotae/lab/stability_json.hpp>
+#include <tegotae/math/rotation.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,17 +42,25 @@ bool is_there(const std::string& method) {
 
 TEST(CubeTouch, BeginsAboveTheFloorAndPressesTheFeatureIntoIt) {
   const Tool tool = cube_over_floor().tool;
-  for (const TouchedFeature& feature : touched_features()) {
-    const Trajectory motion = CubeTouch::motion(tool, feature);
-    const auto lowest = [&](double time) {
-      const Pose X_WT = motion.at(time);
-      return X_WT.p.z() + lowest_height(tool, X_WT.q, Vector3::UnitZ());
-    };
-    EXPECT_NEAR(lowest(0.0), CubeTouch::kGap, 1e-12) << feature.name;
-    EXPECT_NEAR(lowest(CubeTouch::kEnd), -CubeTouch::kPress, 1e-12) << feature.name;
-    EXPECT_NEAR(motion.twist_at(0.1).linear.z(), -1e-3, 1e-12);
-    EXPECT_NEAR(motion.twist_at(0.1).angular.norm() * 0.1 * std::sqrt(2.0), 1e-3, 1e-4);
+  for (const double friction : {0.0, 0.26}) {
+    GripMechanics mechanics;
+    mechanics.friction_force = friction;
+    const CubeTouch touch(mechanics, simulated_hand("relaxed"));
+    EXPECT_NEAR(touch.depth(), CubeTouch::kPress + friction / 135.0, 1e-15);
+    for (const TouchedFeature& feature : touched_features()) {
+      const Trajectory motion = touch.motion(tool, feature);
+      const auto lowest = [&](double time) {
+        const Pose X_WT = motion.at(time);
+        return X_WT.p.z() + lowest_height(tool, X_WT.q, Vector3::UnitZ());
+      };
+      EXPECT_NEAR(lowest(0.0), CubeTouch::kGap, 1e-12) << feature.name;
+      EXPECT_NEAR(lowest(touch.end()), -touch.depth(), 1e-12) << feature.name;
+      EXPECT_NEAR(motion.twist_at(0.1).linear.z(), -1e-3, 1e-12);
+      EXPECT_NEAR(motion.twist_at(touch.end() - 0.1).angular.norm() * 0.1 * std::sqrt(2.0), 1e-3, 1e-4);
+      EXPECT_LT(rotation_vector(motion.at(touch.end()).q * feature.q_WT.conjugate()).norm(), 1e-12);
+    }
   }
+  EXPECT_THROW(CubeTouch({}, {}), InputError);
 }
 
 TEST(CubeTouch, TheCentreIsAboveTheFeature) {
@@ -86,6 +95,16 @@ TEST(Stability, TheDampingOfTheCouplingCountsAndPassivityAsksForLess) {
   EXPECT_NEAR(row.bounds.linear, 16000.0, 1e-6);
   EXPECT_GT(row.ratio_to_linear(), 0.8);
   EXPECT_EQ(row.bounds.colgate_schenkel, 0.0) << "the coupling damps more than the interface";
+}
+
+TEST(Stability, FrictionOfTheInterfaceRaisesTheLimitAndTheHandStillTouches) {
+  StabilitySetup setup = setup_of("paper");
+  setup.device = simulated_device("stylus");
+  for (const char* hand : {"relaxed", "firm"}) {
+    setup.hand = simulated_hand(hand);
+    EXPECT_TRUE(touch_decays(setup, touched_feature("vertex"), 1000.0)) << hand;
+    EXPECT_GT(measured(setup, "vertex").ratio_to_linear(), 1.2) << hand;
+  }
 }
 
 TEST(Stability, SpringsAtEachPointFallToAQuarterAtAFace) {
