@@ -19,7 +19,7 @@ constexpr const char* kMeanings[] = {
     "centre of mass",
     "dfx to dtz: the displayed wrench, after the safety stage, same axes and point",
     "px to pqz: pose of the tool's frame where the world lets it be",
-    "near_objects: pairs of convex pieces within reach; planes, contact_points: of the model",
+    "near_objects: bodies with a piece within reach; planes, contact_points: of the model",
     "constraints: contact points given to the solver; active: those of them that push",
     "status: 0 ok, 1 no model yet, 2 iteration limit, 3 infeasible, 4 invalid input",
     "safety_events: sum of 1 not finite, 2 ramping, 4 rate limited, 8 force saturated, 16 torque saturated, "

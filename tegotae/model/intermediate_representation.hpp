@@ -34,6 +34,7 @@ struct ContactPlane {
 struct ContactPoint {
   PlainVector3 p_T;           ///< in the tool's frame, m
   std::uint64_t feature = 0;  ///< features of the two pieces that it comes from
+  double radius = 0.0;        ///< m: a ball about p_T touches, not p_T itself (round pieces, which roll)
 };
 
 /// All that crosses from physics to haptics (paper, section 4.2; Adachi et al. 1995), extended to planes and points.

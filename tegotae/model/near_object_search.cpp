@@ -3,6 +3,7 @@
 #include <tegotae/model/near_object_search.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace tegotae {
@@ -45,7 +46,8 @@ double NearObjectSearch::speed_of(const Body& body, const Shape& piece, std::spa
   const Twist& V_WB = bodies[static_cast<size_t>(body.moving_index)].V_WB;
   const double size = piece.polytope ? piece.polytope->radius : 0.0;
   const double arm = (piece.X_BS.p - body.p_BC).norm() + size + piece.polytope_error;
-  return V_WB.linear.norm() + V_WB.angular.norm() * arm;
+  const double speed = V_WB.linear.norm() + V_WB.angular.norm() * arm;
+  return std::isfinite(speed) ? speed : 0.0;
 }
 
 // A moving body's box is enlarged by its own way, the tool's box by the rest of the reach.

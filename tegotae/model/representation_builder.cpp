@@ -2,6 +2,7 @@
 #include <tegotae/model/representation_builder.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace tegotae {
 namespace {
@@ -15,6 +16,19 @@ constexpr double kOnPlane = 1e-9;
 constexpr std::uint64_t kClosestPointFeature = ~std::uint64_t{0};
 
 bool is_curved(const Shape& shape) { return shape.is_bounded() && !shape.is_polytope(); }
+
+// Of pieces that are a ball swept along a point or a line: whichever way they turn until the next model, they touch
+// that far from it.
+double rolling_radius(const Shape& shape) {
+  return shape.kind == ShapeKind::kSphere || shape.kind == ShapeKind::kCapsule ? shape.size.x() : 0.0;
+}
+
+// Bodies that the pairs belong to.
+std::int32_t count_bodies(std::span<const NearPair> pairs) {
+  std::set<int> bodies;
+  for (const NearPair& pair : pairs) bodies.insert(pair.body);
+  return static_cast<std::int32_t>(bodies.size());
+}
 
 // Most vertices and faces of a piece.
 struct LargestPiece {
@@ -49,7 +63,7 @@ RepresentationBuilder::RepresentationBuilder(const SceneGeometry& geometry, int 
 
 void RepresentationBuilder::build(std::span<const NearPair> pairs, const Pose& X_WT, std::span<const BodyState> bodies,
                                   IntermediateRepresentation& model) {
-  model.near_object_count = static_cast<std::int32_t>(pairs.size());
+  model.near_object_count = count_bodies(pairs);
   model.plane_count = model.point_count = model.dropped_planes = model.dropped_points = 0;
   for (const NearPair& pair : pairs) {
     if (model.plane_count == kMaxPlanes) {
@@ -58,7 +72,8 @@ void RepresentationBuilder::build(std::span<const NearPair> pairs, const Pose& X
     }
     add_plane(pair, bodies, model);
     find_points(pair, X_WT, bodies);
-    add_points(model.planes[static_cast<size_t>(model.plane_count)], model);
+    const int planes_left = std::min(static_cast<int>(pairs.size()), kMaxPlanes) - model.plane_count;
+    add_points((kMaxContactPoints - model.point_count) / planes_left, model);
     ++model.plane_count;
   }
 }
@@ -95,17 +110,21 @@ void RepresentationBuilder::find_points(const NearPair& pair, const Pose& X_WT, 
       points_.push_back({X_TW * vertex.p_W, vertex.feature});
     }
   }
-  if (is_curved(tool_shape) || is_curved(object_shape)) points_.push_back({X_TW * pair.p_WA, kClosestPointFeature});
+  if (is_curved(tool_shape) || is_curved(object_shape)) {
+    const double radius = rolling_radius(tool_shape);
+    points_.push_back({X_TW * (pair.p_WA + radius * pair.n_W), kClosestPointFeature, radius});
+  }
   const Vector3 n_T = X_TW.q * pair.n_W;
-  const auto height = [&n_T](const ContactPoint& point) { return n_T.dot(point.p_T.vector()); };
+  const auto height = [&n_T](const ContactPoint& point) { return n_T.dot(point.p_T.vector()) - point.radius; };
   std::stable_sort(points_.begin(), points_.end(),
                    [&](const ContactPoint& a, const ContactPoint& b) { return height(a) < height(b); });
 }
 
-// Where they do not all fit the lowest stay. In order of their features, as the interpolation matches them.
-void RepresentationBuilder::add_points(ContactPlane& plane, IntermediateRepresentation& model) {
-  const auto room = static_cast<size_t>(kMaxContactPoints - model.point_count);
-  const size_t kept = std::min(points_.size(), room);
+// Each plane has its part of the capacity that is left; where its points do not all fit the lowest stay. In order of
+// their features, as the interpolation matches them.
+void RepresentationBuilder::add_points(int room, IntermediateRepresentation& model) {
+  ContactPlane& plane = model.planes[static_cast<size_t>(model.plane_count)];
+  const size_t kept = std::min(points_.size(), static_cast<size_t>(room));
   model.dropped_points += static_cast<std::int32_t>(points_.size() - kept);
   std::sort(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(kept),
             [](const ContactPoint& a, const ContactPoint& b) { return a.feature < b.feature; });

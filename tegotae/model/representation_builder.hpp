@@ -34,7 +34,7 @@ class RepresentationBuilder {
 
   void add_plane(const NearPair& pair, std::span<const BodyState> bodies, IntermediateRepresentation& model) const;
   void find_points(const NearPair& pair, const Pose& X_WT, std::span<const BodyState> bodies);
-  void add_points(ContactPlane& plane, IntermediateRepresentation& model);
+  void add_points(int room, IntermediateRepresentation& model);
 
   const SceneGeometry& geometry_;
   ClipWorkspace workspace_;

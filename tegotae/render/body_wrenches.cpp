@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/render/body_wrenches.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace tegotae {
 
 void BodyWrenches::clear() noexcept {
@@ -25,19 +28,23 @@ void BodyWrenches::add(const ContactPlane& plane, const Vector3& p_W, const Vect
   body->on_body.torque += (p_W - body->p_WC).cross(force);
 }
 
-void BodyWrenches::match(const Wrench& displayed, const Vector3& centre_W) noexcept {
-  // About the world's origin, the opposite of what the hand feels, less what the bodies have been given.
-  Wrench missing = -displayed.shifted(centre_W) - static_bodies_.on_body;
-  double total = static_bodies_.on_body.force.norm();
-  for (const BodyWrench& body : moving()) {
-    missing = missing - body.on_body.shifted(body.p_WC);
-    total += body.on_body.force.norm();
-  }
-  if (!(total > 0.0)) return;
+void BodyWrenches::share(const Wrench& displayed, const Vector3& centre_W, double length) noexcept {
+  Wrench felt = -static_bodies_.on_body.shifted(-centre_W);
+  for (const BodyWrench& body : moving()) felt = felt - body.on_body.shifted(body.p_WC - centre_W);
+  const double per_arm = 1.0 / (length * length);
+  const auto product = [per_arm](const Wrench& a, const Wrench& b) {
+    return a.force.dot(b.force) + per_arm * a.torque.dot(b.torque);
+  };
+  const double felt_squared = product(felt, felt);
+  // Damping may add to the elastic push, but does not turn it round.
+  constexpr double kGreatestFactor = 2.0;
+  const double factor =
+      felt_squared > 0.0 ? std::clamp(product(displayed, felt) / felt_squared, 0.0, kGreatestFactor) : 0.0;
+  const double limit = kGreatestAmplification * std::sqrt(product(displayed, displayed));
   for (int i = 0; i < count_; ++i) {
-    BodyWrench& body = bodies_[static_cast<size_t>(i)];
-    const Wrench share = missing * (body.on_body.force.norm() / total);
-    body.on_body = body.on_body + share.shifted(-body.p_WC);
+    Wrench& push = bodies_[static_cast<size_t>(i)].on_body;
+    const double force = factor * push.force.norm();
+    push = push * (force > limit ? factor * limit / force : factor);
   }
 }
 

@@ -24,10 +24,15 @@ class BodyWrenches {
   /// Adds `force` (N, on the body) at the world point `p_W`, for the body of `plane`.
   void add(const ContactPlane& plane, const Vector3& p_W, const Vector3& force) noexcept;
 
-  /// The bodies receive what was displayed, not what was computed: spreads the difference between the displayed wrench
-  /// on the tool (about `centre_W`) and the sum of all pushes over the bodies in proportion to their forces. Without
-  /// any push there is nobody to receive it.
-  void match(const Wrench& displayed, const Vector3& centre_W) noexcept;
+  /// The bodies receive what was displayed, not what was computed: all pushes times the one factor that brings the
+  /// opposite of their sum nearest to the displayed wrench on the tool (about `centre_W`), torques compared with forces
+  /// at `length` (m). Nothing displayed: nothing received. A body is pushed with no more than
+  /// `kGreatestAmplification` times what the hand feels, force and torque over `length` together: bodies that squeeze
+  /// the tool between them are not driven apart by forces of which the hand knows nothing.
+  void share(const Wrench& displayed, const Vector3& centre_W, double length) noexcept;
+
+  /// A wedge of 6 degrees multiplies the force on the tool by about ten.
+  static constexpr double kGreatestAmplification = 10.0;
 
   std::span<const BodyWrench> moving() const noexcept { return {bodies_.data(), static_cast<std::size_t>(count_)}; }
 

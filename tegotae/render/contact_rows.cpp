@@ -56,12 +56,23 @@ void ContactRows::add(const PointOnPlane& contact, const Vector6& J, double b, d
   sources_[static_cast<std::size_t>(count_++)] = {contact.plane, contact.point};
 }
 
+double ContactRows::greatest_violation(const ConstraintProblem<6>& problem,
+                                       const ConstraintSolution<6>& solution) const noexcept {
+  double greatest = 0.0;
+  // Violation of a compliant row is its compliance times its force.
+  for (const int row : solution.active_rows) {
+    greatest = std::max(greatest, problem.c(row) * solution.multipliers[static_cast<std::size_t>(row)]);
+  }
+  return greatest;
+}
+
 void ContactRows::push_bodies(const IntermediateRepresentation& model, const Pose& X_WT,
                               const ConstraintSolution<6>& solution, BodyWrenches& bodies) const noexcept {
   for (const int row : solution.active_rows) {
     const Source source = sources_[static_cast<std::size_t>(row)];
     const ContactPlane& plane = model.planes[static_cast<std::size_t>(source.plane)];
-    const Vector3 p_WC = X_WT * model.points[static_cast<std::size_t>(source.point)].p_T.vector();
+    const ContactPoint& point = model.points[static_cast<std::size_t>(source.point)];
+    const Vector3 p_WC = X_WT * point.p_T.vector() - point.radius * plane.n_W.vector();
     bodies.add(plane, p_WC, -solution.multipliers[static_cast<std::size_t>(row)] * plane.n_W.vector());
   }
 }

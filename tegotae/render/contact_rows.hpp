@@ -30,7 +30,8 @@ void visit_contact_points(const IntermediateRepresentation& model, const Pose& X
     const Vector3 p_W = plane.p_W;
     const int end = plane.first_point + plane.point_count;
     for (contact.point = plane.first_point; contact.point < end; ++contact.point) {
-      contact.p_WC = R_WT * model.points[static_cast<std::size_t>(contact.point)].p_T.vector() + X_WT.p;
+      const ContactPoint& point = model.points[static_cast<std::size_t>(contact.point)];
+      contact.p_WC = R_WT * point.p_T.vector() + X_WT.p - point.radius * contact.n_W;
       contact.depth = -contact.n_W.dot(contact.p_WC - p_W);
       visit(contact);
     }
@@ -61,6 +62,9 @@ class ContactRows {
 
   /// Appends J x >= b with compliance c to the problem as the row of `contact`. The problem's rows must be these only.
   void add(const PointOnPlane& contact, const Vector6& J, double b, double c, ConstraintProblem<6>& problem) noexcept;
+
+  /// Greatest violation that is left of a row at the solution, m; 0 where all are kept.
+  double greatest_violation(const ConstraintProblem<6>& problem, const ConstraintSolution<6>& solution) const noexcept;
 
   /// Gives the bodies the opposite of what the active rows push the tool with, at the contact points of the tool at
   /// `X_WT`.

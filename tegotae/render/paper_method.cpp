@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/render/paper_method.hpp>
+#include <tegotae/render/tolerances.hpp>
 
 #include <algorithm>
 
@@ -15,6 +16,7 @@ PaperMethod::PaperMethod(const Parameters& parameters, const Vector3& p_TCm)
 void PaperMethod::reset() noexcept {
   workspace_.reset();
   displacement_before_.setZero();
+  started_ = false;
 }
 
 void PaperMethod::render(const RenderInput& input, RenderOutput& output) noexcept {
@@ -27,8 +29,14 @@ void PaperMethod::render(const RenderInput& input, RenderOutput& output) noexcep
   if (solution_.status == ConstraintStatus::kInvalidInput) return;
 
   const Vector6& displacement = solution_.displacement;
+  // A start in contact is no motion.
+  if (!started_) displacement_before_ = displacement;
+  started_ = true;
   output.wrench = parameters_.coupling.wrench(displacement, displacement_before_, input.dt);
   output.X_WP = displaced(input.X_WT, p_WCm, displacement.head<3>(), displacement.tail<3>());
+  if (rows_.greatest_violation(problem_, solution_) > tolerance::kCompromise * output.deepest) {
+    output.status = RenderStatus::kInfeasible;
+  }
   output.active_count = static_cast<int>(solution_.active_rows.size());
   output.solver_iterations = solution_.newton_iterations;
   rows_.push_bodies(input.model, input.X_WT, solution_, output.bodies);

@@ -49,6 +49,7 @@ class PaperMethod {
   ConstraintSolver<6> solver_;
   ContactRows rows_;
   Vector6 displacement_before_ = Vector6::Zero();
+  bool started_ = false;  ///< there is a displacement before
 };
 
 }  // namespace tegotae

@@ -35,6 +35,10 @@ inline constexpr double kDirectCompliance = 3e-7;
 /// infeasible; biases the force by this part, ten thousand times less than a hand tells apart.
 inline constexpr double kRowCompliance = 1e-5;
 
+/// Violation that is left of a contact row, as a part of the deepest penetration, above which the constraints
+/// contradict each other: a compliant row that is obeyed leaves a hundred-thousandth.
+inline constexpr double kCompromise = 0.01;
+
 /// Share of the slope at its start at which a line search ends: the direction is renewed anyway, so more is wasted.
 inline constexpr double kLineSearchSlope = 1e-2;
 

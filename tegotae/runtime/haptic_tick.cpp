@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/runtime/haptic_tick.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 namespace tegotae {
 
 HapticTick::HapticTick(RenderingMethod method, const Tool& tool, const SafetyLimits& limits, double period)
-    : method_(std::move(method)), p_TCm_(tool.mass.centre_of_mass), limits_(limits), period_(period) {
+    : method_(std::move(method)),
+      p_TCm_(tool.mass.centre_of_mass),
+      limits_(limits),
+      length_(tool.mass.gyration_length()),
+      period_(period),
+      dt_(period) {
   state_.X_WT = tool.X_WT;
 }
 
 InterfaceCommand HapticTick::operator()(const InterfaceState& state, const IntermediateRepresentation* fresh,
                                         const Circumstances& circumstances, TickRecord& record) noexcept {
-  state_ = held(state);
+  dt_ = elapsed_until(state.time);
+  state_ = held(state, circumstances.interface_lost);
   const IntermediateRepresentation& model = model_at(state_.time, fresh);
 
-  render(method_, {model, state_.X_WT, period_}, rendered_);
+  render(method_, {model, state_.X_WT, dt_}, rendered_);
   if (!pose_valid_) {
     rendered_.wrench = {};
     rendered_.status = RenderStatus::kInvalidInput;
@@ -34,11 +41,22 @@ InterfaceCommand HapticTick::operator()(const InterfaceState& state, const Inter
   return {safe.displayed, 0.0};
 }
 
-// A pose that is not finite: the hand is where it was last seen, and nothing is displayed.
-InterfaceState HapticTick::held(const InterfaceState& state) noexcept {
+// The period, or more where ticks were missed; never more than a tenth of a second, after which nothing that was is
+// worth continuing.
+double HapticTick::elapsed_until(double time) noexcept {
+  constexpr double kLongest = 0.1;  // s
+  const double since = tick_count_ > 0 ? time - state_.time : period_;
+  // Within half a period it is the period: the clock's jitter is no change of rate.
+  return since > 1.5 * period_ ? std::min(since, kLongest) : period_;
+}
+
+// A pose that is not finite, or an interface that is lost: the hand is where it was last seen, and nothing is
+// displayed.
+InterfaceState HapticTick::held(const InterfaceState& state, bool interface_lost) noexcept {
   InterfaceState result = state_;
   result.time = state.time;
-  pose_valid_ = state.X_WT.is_finite() && state.V_WT.is_finite() && state.X_WT.q.squaredNorm() > 0.25;
+  pose_valid_ =
+      state.X_WT.is_finite() && state.V_WT.is_finite() && state.X_WT.q.squaredNorm() > 0.25 && !interface_lost;
   if (!pose_valid_) {
     result.V_WT = {};
     return result;
@@ -63,7 +81,7 @@ SafetyOutput HapticTick::limit(const IntermediateRepresentation& model, double t
                                const Circumstances& circumstances) noexcept {
   SafetyInput input;
   input.target = rendered_.wrench.shifted(arm);  // about the grip
-  input.elapsed = period_;
+  input.elapsed = dt_;
   input.model_age = model.sequence > 0 ? time - model.time : std::numeric_limits<double>::infinity();
   input.interface_lost = circumstances.interface_lost;
   input.ending = circumstances.ending;
@@ -71,8 +89,10 @@ SafetyOutput HapticTick::limit(const IntermediateRepresentation& model, double t
 }
 
 void HapticTick::push_bodies(const Wrench& displayed, const Vector3& p_WCm) noexcept {
-  rendered_.bodies.match(displayed, p_WCm);
-  for (const BodyWrench& body : rendered_.bodies.moving()) impulses_.add(body.moving_index, body.on_body, period_);
+  rendered_.bodies.share(displayed, p_WCm, length_);
+  for (const BodyWrench& body : rendered_.bodies.moving()) {
+    impulses_.add(body.moving_index, body.on_body.shifted(body.p_WC), dt_);  // about the world's origin
+  }
 }
 
 void HapticTick::write(const IntermediateRepresentation& model, const Wrench& displayed,

@@ -35,7 +35,8 @@ class HapticTick {
 
  private:
   const IntermediateRepresentation& model_at(double time, const IntermediateRepresentation* fresh) noexcept;
-  InterfaceState held(const InterfaceState& state) noexcept;
+  InterfaceState held(const InterfaceState& state, bool interface_lost) noexcept;
+  double elapsed_until(double time) noexcept;
   SafetyOutput limit(const IntermediateRepresentation& model, double time, const Vector3& arm,
                      const Circumstances& circumstances) noexcept;
   void push_bodies(const Wrench& displayed, const Vector3& p_WCm) noexcept;
@@ -44,6 +45,7 @@ class HapticTick {
   RenderingMethod method_;
   Vector3 p_TCm_;
   SafetyLimits limits_;
+  double length_;  ///< gyration length of the tool, m
   double period_;
 
   RepresentationInterpolator interpolator_;
@@ -53,6 +55,7 @@ class HapticTick {
   ImpulseAccumulator impulses_;
   InterfaceState state_;  ///< the last finite one
   bool pose_valid_ = false;
+  double dt_;  ///< s since the last tick
   std::uint64_t tick_count_ = 0;
 };
 

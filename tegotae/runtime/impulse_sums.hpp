@@ -11,13 +11,13 @@
 
 namespace tegotae {
 
-/// Moving bodies of one world that the tool can push. Forces on bodies beyond it are counted and not applied.
+/// Moving bodies of one world that the tool can push. A world that moves more is refused.
 inline constexpr int kMaxMovingBodies = 256;
 
 /// Impulse given to one body since the start of the run.
 struct ImpulseSum {
   PlainVector3 linear;   ///< N s, world axes
-  PlainVector3 angular;  ///< N m s about the body's centre of mass, world axes
+  PlainVector3 angular;  ///< N m s about the world's origin, world axes: where the body is by then, physics knows
 };
 
 /// Message of the haptic loop to the physics loop. It travels in a latest-value slot, where messages are skipped: so
@@ -41,7 +41,7 @@ static_assert(std::is_trivially_copyable_v<ImpulseSums>);
 /// drifts by 1.7e-6 N s in an hour and by 1.8e-4 N s in ten.
 class ImpulseAccumulator {
  public:
-  /// Gives the body `wrench` (on the body, about its centre of mass, world axes) for `dt` (s). A body out of range or a
+  /// Gives the body `wrench` (on the body, about the world's origin, world axes) for `dt` (s). A body out of range or a
   /// wrench that is not finite is not summed up but counted in `dropped`. Does not allocate.
   void add(int moving_index, const Wrench& wrench, double dt) noexcept;
 
@@ -67,9 +67,10 @@ class ImpulseAccumulator {
 /// Physics side: turns successive messages into the impulses that are still to be applied.
 class ImpulseDifferences {
  public:
-  /// impulses[i] = impulse given to moving body i since the message taken last (since the start, for the first one);
-  /// zero for bodies that the message does not hold. A message that is not newer than the last one gives zero and
-  /// false. So over any pattern of skipped and repeated messages each impulse is applied once. Does not allocate.
+  /// impulses[i] = impulse given to moving body i since the message taken last (since the start, for the first one),
+  /// its angular part about the world's origin like the sums; zero for bodies that the message does not hold. A message
+  /// that is not newer than the last one gives zero and false. So over any pattern of skipped and repeated messages
+  /// each impulse is applied once. Does not allocate.
   bool take(const ImpulseSums& message, std::span<BodyImpulse> impulses) noexcept;
 
  private:

@@ -57,10 +57,20 @@ void PhysicsLoop::build(double time, const ToolState& tool, IntermediateRepresen
   model.period = settings_.period;
 }
 
+// Angular impulses come about the world's origin; the world takes them about the centres of mass as they are now.
+void PhysicsLoop::refer_impulses_to_bodies() {
+  for (const Body& body : world_.geometry().bodies) {
+    if (body.moving_index < 0) continue;
+    const auto i = static_cast<size_t>(body.moving_index);
+    impulses_[i].angular -= (bodies_[i].X_WB * body.p_BC).cross(impulses_[i].linear);
+  }
+}
+
 void PhysicsLoop::step(double time, const ImpulseSums& haptics, IntermediateRepresentation& model) {
   const ToolState tool{haptics.X_WT, haptics.V_WT};
   differences_.take(haptics, impulses_);
   build(time, tool, model);
+  refer_impulses_to_bodies();
   world_.advance(settings_.period, tool, impulses_);
 }
 

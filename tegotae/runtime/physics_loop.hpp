@@ -34,6 +34,7 @@ class PhysicsLoop {
 
  private:
   Reach reach(const ToolState& tool) const;
+  void refer_impulses_to_bodies();
 
   World& world_;
   Settings settings_;

@@ -33,6 +33,7 @@ struct Run {
   SpscRing<TickRecord> records{kRingCapacity};
   std::atomic<bool> ending{false};
   std::atomic<bool> haptics_done{false};
+  InterfaceStatus written = InterfaceStatus::kOk;  ///< the haptic thread's: how the last command fared
   RealtimeReport report;
 };
 
@@ -65,14 +66,14 @@ void haptic_period(Run& run, PeriodicTimer& timer, bool ending) noexcept {
   const double began = run.now();
 
   InterfaceState state;
-  const bool lost = run.interface.read(began, state) != InterfaceStatus::kOk;
+  const bool lost = run.interface.read(began, state) != InterfaceStatus::kOk || run.written != InterfaceStatus::kOk;
   state.time = began;
   const IntermediateRepresentation* fresh = run.models.update() ? &run.models.get() : nullptr;
   TickRecord record;
   const double tick_began = run.now();
   const InterfaceCommand command = run.haptics(state, fresh, {lost, ending}, record);
   const double duration = run.now() - tick_began;
-  run.interface.write(command);
+  run.written = run.interface.write(command);
 
   run.haptics.fill(run.messages.begin_write(), run.physics.body_count());
   run.messages.publish();

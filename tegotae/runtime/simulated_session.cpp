@@ -28,16 +28,18 @@ class SimulatedPhysics {
   const IntermediateRepresentation* advance_to(double time, const ImpulseSums& haptics) {
     // Half a nanosecond: sums of periods are not exact.
     constexpr double kRounding = 5e-10;
-    if (steps_ == 0 || time + kRounding >= static_cast<double>(steps_) * loop_.settings().period) {
+    bool stepped = false;
+    for (; time + kRounding >= next_step(); ++steps_) {
       if (steps_ > 0) std::swap(ready_, pending_);
-      loop_.step(static_cast<double>(steps_) * loop_.settings().period, haptics, *pending_);
-      ++steps_;
-      return ready_.get();
+      loop_.step(next_step(), haptics, *pending_);
+      stepped = true;
     }
-    return nullptr;
+    return stepped ? ready_.get() : nullptr;
   }
 
  private:
+  double next_step() const { return static_cast<double>(steps_) * loop_.settings().period; }
+
   PhysicsLoop& loop_;
   std::unique_ptr<IntermediateRepresentation> ready_, pending_;
   long steps_ = 0;
@@ -48,8 +50,8 @@ class SimulatedPhysics {
 void run_simulated(PhysicsLoop& physics, HapticTick& haptics, HapticInterface& interface, double haptic_period,
                    double duration, const TickObserver& observer) {
   InterfaceState state;
-  HapticTick::Circumstances circumstances;
-  circumstances.interface_lost = interface.read(0.0, state) != InterfaceStatus::kOk;
+  InterfaceStatus read = interface.read(0.0, state);
+  InterfaceStatus written = InterfaceStatus::kOk;
   SimulatedPhysics simulated(physics, {state.X_WT, state.V_WT});
   auto message = std::make_unique<ImpulseSums>();
   message->X_WT = state.X_WT;
@@ -58,13 +60,16 @@ void run_simulated(PhysicsLoop& physics, HapticTick& haptics, HapticInterface& i
   const long ticks = static_cast<long>(std::floor(duration / haptic_period * (1.0 + 1e-12))) + 1;
   for (long tick = 0; tick < ticks; ++tick) {
     const double time = static_cast<double>(tick) * haptic_period;
-    circumstances.interface_lost = interface.read(time, state) != InterfaceStatus::kOk;
+    if (tick > 0) read = interface.read(time, state);
+    state.time = time;
+    HapticTick::Circumstances circumstances;
+    circumstances.interface_lost = read != InterfaceStatus::kOk || written != InterfaceStatus::kOk;
     const IntermediateRepresentation* fresh = simulated.advance_to(time, *message);
     TickRecord record;
     const Clock::time_point start = Clock::now();
     const InterfaceCommand command = haptics(state, fresh, circumstances, record);
     record.tick_us = microseconds_since(start);
-    interface.write(command);
+    written = interface.write(command);
     haptics.fill(*message, physics.body_count());
     if (!observer(record)) return;
   }

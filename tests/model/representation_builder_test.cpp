@@ -92,7 +92,12 @@ TEST(RepresentationBuilder, CurvedPiecesTouchAtTheirClosestPoint) {
   ASSERT_EQ(model.plane_count, 1);
   EXPECT_NEAR(model.planes[0].distance, -0.0005, 1e-9);
   double lowest = 0.0;
-  for (const ContactPoint& point : model.points_of(model.planes[0])) lowest = std::min(lowest, point.p_T.y);
+  for (const ContactPoint& point : model.points_of(model.planes[0])) {
+    lowest = std::min(lowest, point.p_T.y - point.radius);
+    if (point.radius > 0.0) {
+      EXPECT_LT(point.p_T.vector().norm(), 1e-9) << "the ball's centre, which does not roll";
+    }
+  }
   EXPECT_NEAR(lowest, -0.05, 1e-9);
 }
 
@@ -150,6 +155,35 @@ TEST(RepresentationBuilder, BeyondTheCapacityTheNearestStayAndTheRestIsCounted) 
   EXPECT_EQ(model.plane_count, kMaxPlanes);
   EXPECT_EQ(model.dropped_planes, 100 - kMaxPlanes);
   for (const ContactPlane& plane : model.used_planes()) EXPECT_LT(plane.body, kMaxPlanes);
+}
+
+// Six balls of many stand-in vertices on one floor: each plane keeps a part of the capacity, and in it its lowest
+// point.
+TEST(RepresentationBuilder, NoPlaneIsLeftWithoutItsLowestPoint) {
+  SceneGeometry scene = testing::cube_over_floor();
+  scene.tool.pieces.clear();
+  for (int i = 0; i < 6; ++i) {
+    scene.tool.pieces.push_back(make_sphere(0.02, {Vector3(0.05 * i, 0.0, 0.0), Quaternion::Identity()}));
+  }
+  Chain chain(std::move(scene));
+  const auto& model = chain.build(cube_at(0.0195), {0.02, 0.0, 0.0});
+  ASSERT_EQ(model.plane_count, 6);
+  EXPECT_EQ(model.near_object_count, 1) << "one floor";
+  EXPECT_GT(model.dropped_points, 0);
+  for (const ContactPlane& plane : model.used_planes()) {
+    double lowest = 1.0;
+    for (const ContactPoint& point : model.points_of(plane)) lowest = std::min(lowest, point.p_T.y - point.radius);
+    EXPECT_NEAR(lowest, -0.02, 1e-9);
+  }
+}
+
+TEST(NearObjectSearch, ABodyOfNonFiniteVelocityIsStillFound) {
+  SceneGeometry scene = testing::cube_over_floor();
+  scene.bodies[0].moving_index = 0;
+  Chain chain(std::move(scene));
+  BodyState body{{{0.0, -0.1, 0.0}, Quaternion::Identity()}, {}};
+  body.V_WB.linear.x() = std::nan("");
+  EXPECT_EQ(chain.build(cube_at(0.099), {0.002, 0.1, 0.0}, {&body, 1}).plane_count, 1);
 }
 
 TEST(NearObjectSearch, NonFiniteToolPoseFindsNothing) {

@@ -99,6 +99,7 @@ TEST(PaperMethod, OpposedWallsAreSharedWithoutChatter) {
     const double x = 1e-6 * (i - 100);
     paper.render({*model, {{x, 0.0, 0.0}, Quaternion::Identity()}, 1e-3}, output);
     EXPECT_LT(std::abs(output.wrench.force.x() + kStiffness * x), 1e-3) << "the middle is the least violation";
+    EXPECT_EQ(output.status, RenderStatus::kInfeasible) << "and it is said that it is a compromise";
     if (i > 1) {
       EXPECT_LT(std::abs(output.wrench.force.x() - last), 0.0091);
     }
@@ -110,6 +111,7 @@ TEST(PaperMethod, DampingIsThatOfEquationTwo) {
   const auto model = cube_on_floor();
   PaperMethod paper({{kStiffness, 10.0, 1.0}, ConstraintSet::kPenetratingPoints}, Vector3::Zero());
   RenderOutput output;
+  paper.render({*model, cube_pose(0.0, kHalfEdge), 1e-3}, output);
   paper.render({*model, cube_pose(0.0, kHalfEdge - 1e-3), 1e-3}, output);
   EXPECT_NEAR(output.wrench.force.y(), 9.0 + 10.0 * 1.0, 1e-3);
   paper.render({*model, cube_pose(0.0, kHalfEdge - 1e-3), 1e-3}, output);
@@ -118,6 +120,16 @@ TEST(PaperMethod, DampingIsThatOfEquationTwo) {
   paper.render({*model, cube_pose(0.0, kHalfEdge + 1e-3), 1e-3}, output);
   paper.render({*model, cube_pose(0.0, kHalfEdge + 1e-3), 1e-3}, output);
   EXPECT_EQ(output.wrench.force.norm(), 0.0);
+}
+
+TEST(PaperMethod, AStartInContactIsNoMotion) {
+  const auto model = cube_on_floor();
+  PaperMethod paper({{kStiffness, 10.0, 1.0}, ConstraintSet::kPenetratingPoints}, Vector3::Zero());
+  RenderOutput output;
+  for (int i = 0; i < 3; ++i) {
+    paper.render({*model, cube_pose(0.0, kHalfEdge - 1e-3), 1e-3}, output);
+    EXPECT_NEAR(output.wrench.force.y(), 9.0, 1e-3);
+  }
 }
 
 TEST(PaperMethod, MovingBodiesAreGivenTheOppositeOfWhatIsFelt) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/math/rotation.hpp>
 #include <tegotae/runtime/haptic_tick.hpp>
 #include <tegotae/runtime/physics_loop.hpp>
 
@@ -126,6 +127,47 @@ TEST(HapticTick, ALostInterfaceOrTheEndGivesZeroAtOnceAndBodiesReceiveNothing) {
   ImpulseSums message;
   rig.tick->fill(message, 1);
   EXPECT_EQ(message.bodies[0].linear.y, 0.0);
+}
+
+// The pose that an interface reports while it is lost means nothing.
+TEST(HapticTick, WhileTheInterfaceIsLostTheToolStaysWhereItWas) {
+  Rig rig;
+  rig.make_model(0.0, pressed(1e-3));
+  rig.run(0.0, pressed(1e-3), true);
+  rig.run(kPeriod, {}, false, {true, false});
+  EXPECT_EQ(rig.record.X_WT.p.y, 0.099);
+  EXPECT_EQ(rig.record.displayed.force.y, 0.0);
+}
+
+TEST(HapticTick, MissedTicksAreFeltByTheBodiesForAsLongAsByTheHand) {
+  SceneGeometry scene = testing::cube_over_floor();
+  scene.bodies[0].moving_index = 0;
+  Rig rig(std::move(scene));
+  rig.make_model(0.0, pressed(1e-3));
+  double impulse = 0.0;
+  for (int i = 0; i < 5; ++i) {
+    rig.run(0.01 * i, pressed(1e-3), i == 0);
+    impulse += (i == 0 ? kPeriod : 0.01) * rig.record.displayed.force.y;
+  }
+  ImpulseSums message;
+  rig.tick->fill(message, 1);
+  EXPECT_NEAR(message.bodies[0].linear.y, -impulse, 1e-12);
+  EXPECT_GT(impulse, 0.3);
+}
+
+// A ball that turns about its centre on the floor, models made only now and then.
+TEST(HapticTick, ATurningBallIsFeltAsABall) {
+  SceneGeometry scene = testing::cube_over_floor();
+  scene.tool.pieces = {make_sphere(0.05)};
+  scene.tool.mass = mass_properties(scene.tool.pieces[0], 1000.0);
+  Rig rig(std::move(scene));
+  for (int i = 0; i < 200; ++i) {
+    const Pose pose{{0.0, 0.0495, 0.0}, rotation_from_vector({2e-3 * i, 0.0, 5e-3 * i})};
+    if (i % 50 == 0) rig.make_model(kPeriod * i, pose);
+    rig.run(kPeriod * i, pose, i % 50 == 0);
+    ASSERT_NEAR(rig.record.wrench.force.y, 4.5, 1e-3);
+    ASSERT_LT(Vector3(rig.record.wrench.torque).norm(), 1e-9);
+  }
 }
 
 TEST(HapticTick, AllocatesNothingEvenWhenModelsArrive) {

@@ -46,7 +46,7 @@ SceneGeometry scene_with_a_loose_block() {
   Body block;
   block.name = "block";
   block.pieces = {make_box(Vector3(0.02, 0.02, 0.02))};
-  block.X_WB.p = Vector3(0.0, 0.18, 0.0);
+  block.X_WB.p = Vector3(0.1205, 0.1, 0.0);
   block.moving_index = 0;
   scene.bodies.push_back(block);
   return scene;
@@ -85,6 +85,7 @@ TEST(RealtimeSession, TwoThreadsRunAtTheirRatesAndTheLastCommandIsZero) {
   EXPECT_EQ(rig.hand.last.wrench.force.norm() + rig.hand.last.wrench.torque.norm(), 0.0);
   EXPECT_GT(rig.hand.strongest, 0.2) << "it pressed";
   EXPECT_EQ(report.physics_error, "");
+  EXPECT_LT(rig.world.body(0).X_WB.p.norm(), 10.0) << "pushed, not shot away";
   for (size_t i = 1; i < records.size(); ++i) {
     ASSERT_GT(records[i].time, records[i - 1].time);
     ASSERT_GE(records[i].model_sequence, records[i - 1].model_sequence);

@@ -95,6 +95,63 @@ TEST(SimulatedSession, EachDisplayedImpulseReachesItsBodyOnceAndOnlyOnce) {
   EXPECT_LT(world.body(0).V_WB.linear.y(), 0.0) << "the floor is pushed away";
 }
 
+// The torque on a body is about where its centre of mass is when physics applies it.
+TEST(SimulatedSession, AngularImpulseIsAboutTheBodysPresentCentre) {
+  SceneGeometry scene = testing::cube_over_floor();
+  scene.bodies[0].moving_index = 0;
+  testing::FreeBodyWorld world(std::move(scene), 1e9);
+  world.body(0).V_WB.linear.x() = 0.2;
+  ScriptedInterface interface([](double) { return pressed(1e-3); });
+  run(world, interface, 1.0);
+  // Pushed down at x = 0 while the centre slides to x = 0.2 m: (0 - x) x f summed over the second, f = 0.5 N.
+  double expected = 0.0;
+  for (int i = 0; i < 1000; ++i) expected += 1e-3 * 0.5 * (1e-3 * i * 0.2);
+  EXPECT_NEAR(world.received(0).angular.z(), expected, 0.1 * expected);
+}
+
+TEST(SimulatedSession, PhysicsFasterThanHapticsKeepsUp) {
+  testing::FreeBodyWorld world(testing::cube_over_floor());
+  ScriptedInterface interface([](double) { return pressed(0.0); });
+  const auto records = run(world, interface, 0.1, 2e-4);
+  EXPECT_EQ(world.steps, 501);
+  EXPECT_LT(records.back().model_age, 1e-3);
+}
+
+TEST(SimulatedSession, AnInterfaceThatCannotBeCommandedIsLost) {
+  class Deaf : public ScriptedInterface {
+   public:
+    using ScriptedInterface::ScriptedInterface;
+    InterfaceStatus write(const InterfaceCommand& command) noexcept override {
+      ScriptedInterface::write(command);
+      return InterfaceStatus::kLost;
+    }
+  };
+  testing::FreeBodyWorld world(testing::cube_over_floor());
+  Deaf interface([](double) { return pressed(1e-3); });
+  for (const TickRecord& record : run(world, interface, 0.5)) {
+    if (record.time > 0.0) {
+      ASSERT_EQ(Vector3(record.displayed.force).norm(), 0.0);
+    }
+  }
+}
+
+// A tool set down between two free blocks, both inside it: the hand feels nothing of it, and they are not shot away.
+TEST(SimulatedSession, BlocksThatSqueezeTheToolStay) {
+  SceneGeometry scene = testing::cube_over_floor();
+  scene.bodies.clear();
+  for (const double side : {-1.0, 1.0}) {
+    Body block;
+    block.pieces = {make_box(Vector3(0.05, 0.05, 0.05))};
+    block.X_WB.p = Vector3(side * 0.148, 0.1, 0.0);
+    block.moving_index = static_cast<int>(scene.bodies.size());
+    scene.bodies.push_back(block);
+  }
+  testing::FreeBodyWorld world(std::move(scene), 0.8);
+  ScriptedInterface interface([](double) { return pressed(0.0); });
+  run(world, interface, 1.0);
+  for (int i = 0; i < 2; ++i) EXPECT_LT(world.body(i).V_WB.linear.norm(), 0.1);
+}
+
 TEST(SimulatedSession, RepeatsBitForBit) {
   const auto once = [] {
     SceneGeometry scene = testing::cube_over_floor();
