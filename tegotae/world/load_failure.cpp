@@ -28,6 +28,8 @@ bool contains(std::string_view list, const std::string& word) {
   return !word.empty() && list.find(" " + word + " ") != std::string_view::npos;
 }
 
+bool contains_text(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
 std::string first_match(const std::string& text, const char* pattern) {
   std::smatch match;
   return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : std::string();
@@ -59,29 +61,54 @@ bool is_newer_markup(const std::string& text) {
          contains(kNewerKeywords, keyword);
 }
 
+// A missing file that the scene includes, a fault of markup, or empty.
+std::string describe_xml_failure(const std::string& where, const std::string& text) {
+  const std::string code = first_match(text, "XML_ERROR_([A-Z_]+)");
+  if (code.empty()) return {};
+  // The scene itself is there, so it is an <include>; MuJoCo says "filename=gone.xml".
+  const std::string included = first_match(text, "filename=([^\\n]+)");
+  if (code == "FILE_NOT_FOUND" && !included.empty()) {
+    return fmt::format(
+        "{}: the file '{}' of an <include> is not there, or it may not be read; correct its path, which is relative to "
+        "the scene's folder",
+        where, included);
+  }
+  const std::string detail = first_match(text, "Line number=[0-9]+: *([^\\n]+)");
+  return fmt::format("{}: malformed XML ({}{}{}); correct the markup there", where, words_of(code),
+                     detail.empty() ? "" : ": ", detail);
+}
+
+std::string mend_for(const std::string& text) {
+  // MuJoCo 2.2.2 counts no pairs for planes on more than one body.
+  if (contains_text(text, "Broadphase buffer full")) {
+    return "more than one body has a plane; only the world may have planes, make those of other bodies thin boxes";
+  }
+  if (contains_text(text, "annot open file") || contains_text(text, "ould not open")) {
+    return "put the file there or correct its path";
+  }
+  const std::string missing = first_match(text, "('[^']*') not found");
+  if (!missing.empty()) return fmt::format("define {} (meshes and the like in <asset>) or correct the name", missing);
+  return "correct it there";
+}
+
 }  // namespace
 
 std::string describe_load_failure(std::string_view file, std::string_view engine_text) {
   const std::string text(engine_text);
   const std::string where = place(file, text);
-  const std::string xml_code = first_match(text, "XML_ERROR_([A-Z_]+)");
-  if (!xml_code.empty()) {
-    const std::string detail = first_match(text, "Line number=[0-9]+: *([^\\n]+)");
-    return fmt::format("{}: malformed XML ({}{}{}); correct the markup there", where, words_of(xml_code),
-                       detail.empty() ? "" : ": ", detail);
-  }
+  std::string malformed = describe_xml_failure(where, text);
+  if (!malformed.empty()) return malformed;
   std::string reason = std::regex_replace(text, std::regex("^(XML )?Error: (Schema violation: )?"), "");
   reason = std::regex_replace(reason, std::regex(",? *line *=? *-?[0-9]+|,? *column *= *-?[0-9]+"), "");
+  reason = std::regex_replace(reason, std::regex("Object name = , id = (-?[0-9]+)"), "unnamed object (id $1)");
   reason = std::regex_replace(reason, std::regex("Object name = ([^,\\n]*), id = (-?[0-9]+)"), "object '$1' (id $2)");
   reason = std::regex_replace(reason, std::regex("Element '"), "in element '");
   reason = on_one_line(reason);
   if (is_newer_markup(text)) {
-    return fmt::format(
-        "{}: this scene needs MuJoCo 3.x; this build reads {}'s MJCF: {}; remove it or write it in the "
-        "older form",
-        where, mj_versionString(), reason);
+    return fmt::format("{}: this scene needs a newer MuJoCo than {}: {}; remove it or write it in the older form",
+                       where, mj_versionString(), reason);
   }
-  return fmt::format("{}: MuJoCo {} refuses the scene: {}; correct it there", where, mj_versionString(), reason);
+  return fmt::format("{}: MuJoCo {} refuses the scene: {}; {}", where, mj_versionString(), reason, mend_for(text));
 }
 
 }  // namespace tegotae

@@ -11,11 +11,16 @@
 #include <array>
 #include <fstream>
 #include <mutex>
+#include <system_error>
 
 namespace tegotae {
 namespace {
 
 void require_readable(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw SceneError(fmt::format("{}: is a folder; name the scene file in it", file.string()));
+  }
   if (!std::filesystem::is_regular_file(file) || !std::ifstream(file)) {
     throw SceneError(fmt::format("{}: no such scene file, or it may not be read; check the path", file.string()));
   }

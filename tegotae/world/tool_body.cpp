@@ -14,11 +14,18 @@ namespace {
 
 constexpr int kListedBodies = 10;
 
+bool is_named(const mjModel& m, int body) {
+  const char* name = mj_id2name(&m, mjOBJ_BODY, body);
+  return name != nullptr && *name != '\0';
+}
+
 std::string list_of_bodies(const mjModel& m) {
   std::string list;
   const int count = static_cast<int>(m.nbody) - 1;
   for (int body = 1; body <= std::min(count, kListedBodies); ++body) {
-    list += fmt::format("{}'{}'", body > 1 ? ", " : "", body_name(m, body));
+    list += body > 1 ? ", " : "";
+    list += is_named(m, body) ? fmt::format("'{}'", body_name(m, body))
+                              : fmt::format("{} (unnamed: give it a name)", body_name(m, body));
   }
   if (count > kListedBodies) list += fmt::format(" and {} more", count - kListedBodies);
   return count > 0 ? list : "none";
@@ -35,10 +42,11 @@ std::string list_of_bodies(const mjModel& m) {
 void refuse_joints(const mjModel& m, const ToolBody& tool, const std::string& file) {
   const std::string name = body_name(m, tool.id);
   const auto refuse = [&](int body, const std::string& relation) {
+    // MuJoCo takes mocap bodies as children of the world only.
+    const bool may_be_mocap = body == tool.id && m.body_parentid[body] == 0;
     throw SceneError(
-        fmt::format("{}: {} has joints, so that MuJoCo would move the tool and not the hand: remove the "
-                    "joints of body {} or give mocap=\"true\"",
-                    file, relation, body_name(m, body)));
+        fmt::format("{}: {} has joints, so that MuJoCo would move the tool and not the hand: remove its joints{}", file,
+                    relation, may_be_mocap ? " (mocap=\"true\" may be added then)" : ""));
   };
   for (int body = m.body_parentid[tool.id]; body > 0; body = m.body_parentid[body]) {
     if (m.body_jntnum[body] > 0) {
