@@ -23,13 +23,38 @@ void require_positive(const char* what, double value) {
   throw std::invalid_argument("the " + std::string(what) + " must be positive, not " + std::to_string(value));
 }
 
+// Indices 0 to moving_count - 1, each once: else a body would be read or pushed as another, or beyond the arrays.
+const SceneGeometry& checked(const SceneGeometry& geometry) {
+  const auto refuse = [](const std::string& what) {
+    throw std::invalid_argument("the world's geometry is not consistent: " + what +
+                                "; give the moving bodies the indices 0 to moving_count - 1, each once");
+  };
+  const int count = geometry.moving_count;
+  if (count < 0) refuse("moving_count is " + std::to_string(count));
+  std::vector<bool> taken(static_cast<size_t>(count));
+  for (const Body& body : geometry.bodies) {
+    const int index = body.moving_index;
+    if (index < 0) continue;
+    const std::string who = "body '" + body.name + "' has the moving_index " + std::to_string(index);
+    if (index >= count) refuse(who + ", but moving_count is " + std::to_string(count));
+    if (taken[static_cast<size_t>(index)]) refuse(who + ", which another body has too");
+    taken[static_cast<size_t>(index)] = true;
+  }
+  const auto missing = std::find(taken.begin(), taken.end(), false);
+  if (missing != taken.end()) {
+    refuse("no body has the moving_index " + std::to_string(missing - taken.begin()) + ", but moving_count is " +
+           std::to_string(count));
+  }
+  return geometry;
+}
+
 }  // namespace
 
 PhysicsLoop::PhysicsLoop(World& world, const Settings& settings)
     : world_(world),
       settings_(settings),
       tool_radius_(radius_of(world.geometry().tool)),
-      search_(world.geometry()),
+      search_(checked(world.geometry())),
       builder_(world.geometry()),
       bodies_(static_cast<size_t>(world.geometry().moving_count)),
       impulses_(bodies_.size()) {

@@ -19,7 +19,8 @@ class PhysicsLoop {
     double margin = 0.002;  ///< m beyond what the speeds ask for (see Reach)
   };
 
-  /// Throws std::invalid_argument if a setting is out of range or the world moves more bodies than kMaxMovingBodies.
+  /// Throws std::invalid_argument if a setting is out of range, the world moves more bodies than kMaxMovingBodies, or
+  /// its moving bodies do not have the indices 0 to moving_count - 1, each once.
   PhysicsLoop(World& world, const Settings& settings);
 
   /// The model of the world as it is at `time` (s), the tool as in `tool`, into `model`. Does not move the world.

@@ -5,6 +5,7 @@
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -35,6 +36,16 @@ int request_locked_memory() noexcept {
   return mlockall(MCL_CURRENT | MCL_FUTURE) == 0 ? 0 : errno;
 }
 
+// What root is refused, no membership or sudo brings: a container or a service took the right away.
+std::string mend_for_root(bool fifo_refused, bool memory_refused) {
+  std::string text =
+      " Mend: the program runs as root already, so the container or service that it runs in withholds this; grant it";
+  if (fifo_refused) text += " the capability CAP_SYS_NICE";
+  if (fifo_refused && memory_refused) text += " and";
+  if (memory_refused) text += " the capability CAP_IPC_LOCK with no limit on locked memory (RLIMIT_MEMLOCK)";
+  return text + ".";
+}
+
 std::string explain(int fifo_error, int memory_error) {
   std::string text;
   const auto refused = [&text](const char* what, int error, const char* effect) {
@@ -46,6 +57,7 @@ std::string explain(int fifo_error, int memory_error) {
   refused("Real-time scheduling (SCHED_FIFO)", fifo_error, "ticks may come late when the machine is busy.");
   refused("Locked memory", memory_error, "a tick may wait for paging.");
   if (text.empty()) return text;
+  if (geteuid() == 0) return text + mend_for_root(fifo_error != 0, memory_error != 0);
   return text +
          " Mend: add the lines '@realtime - rtprio 90' and '@realtime - memlock unlimited' to "
          "/etc/security/limits.d/realtime.conf, make yourself a member ('sudo groupadd -f realtime; sudo usermod -aG "

@@ -38,7 +38,9 @@ void expect_consistent(const RealtimeRights& rights) {
     EXPECT_THAT(rights.explanation, HasSubstr("Locked memory"));
   }
   if (!rights.explanation.empty()) {
+    // Who is root already is not told to use sudo.
     EXPECT_THAT(rights.explanation, HasSubstr("Mend:"));
+    EXPECT_THAT(rights.explanation, HasSubstr(geteuid() == 0 ? "the container or service" : "sudo"));
   }
 }
 
