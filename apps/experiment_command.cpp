@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <apps/commands.hpp>
+#include <apps/interruption.hpp>
 #include <apps/progress_line.hpp>
 #include <apps/settings_options.hpp>
 #include <apps/summary_table.hpp>
+#include <apps/validators.hpp>
 #include <tegotae/lab/experiment_run.hpp>
 #include <tegotae/lab/input_error.hpp>
 
 #include <fmt/format.h>
 
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 namespace tegotae {
@@ -25,10 +24,6 @@ struct ExperimentOptions {
   bool real_time = false;
   SettingsOptions settings;
 };
-
-// Ends a run in real time at its next tick, so that the interface is left at zero.
-std::atomic<bool> interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
 
 void print_list() {
   for (const Experiment& experiment : experiments()) fmt::print("{:<18}{}\n", experiment.name, experiment.summary);
@@ -47,6 +42,16 @@ ExperimentResult perform(const Experiment& experiment, const ExperimentRequest& 
   return run_experiment(experiment, request, [&](double part) { progress.show(part); });
 }
 
+// A signal ends gnuplot too, which then fails; what counts is the signal.
+std::filesystem::path figures_of(const ExperimentResult& result, const std::filesystem::path& folder) {
+  try {
+    return draw_figures(result, folder);
+  } catch (const InputError&) {
+    if (!interrupted()) throw;
+    throw Interruption(fmt::format("interrupted while drawing; the samples in {} are whole.", folder.string()));
+  }
+}
+
 void run(const ExperimentOptions& options) {
   if (options.list) return print_list();
   if (options.name.empty()) throw UsageError("name an experiment; 'tegotae experiment --list' shows them.");
@@ -57,17 +62,17 @@ void run(const ExperimentOptions& options) {
   if (options.folder.empty()) request.folder = std::filesystem::path("out") / experiment.name;
 
   request.real_time = options.real_time;
-  request.stop = &interrupted;
-  if (options.real_time) std::signal(SIGINT, [](int) { interrupted.store(true); });
+  request.stop = &interrupted();
+  listen_for_interruption();
 
   const ExperimentResult result = perform(experiment, request);
   for (const std::string& warning : result.warnings) fmt::print(stderr, "tegotae: warning: {}\n", warning);
-  fmt::print("{}", summary_table(experiment, result));
-  if (interrupted) {
-    throw std::runtime_error(fmt::format("interrupted; what was recorded until then stands in {}, without figures.",
-                                         request.folder.string()));
+  fmt::print("{}", summary_table(result));
+  if (result.interrupted) {
+    throw Interruption(fmt::format("interrupted; what was recorded until then stands in {}, without figures.",
+                                   request.folder.string()));
   }
-  const std::filesystem::path figures = draw_figures(experiment, result, request.folder);
+  const std::filesystem::path figures = figures_of(result, request.folder);
   fmt::print("\nfigures: {}\n", figures.string());
 }
 
@@ -82,7 +87,9 @@ void add_experiment_command(CLI::App& program) {
   command->add_flag("--realtime", options->real_time,
                     "Run physics and haptics at their rates in real time, each on a thread of its own; without it time "
                     "is simulated and the result repeats bit for bit");
-  command->add_option("--out", options->folder, "Folder for the results; default: out/NAME")->type_name("DIR");
+  command->add_option("--out", options->folder, "Folder for the results; default: out/NAME")
+      ->type_name("DIR")
+      ->check(not_empty("a folder"));
   options->settings.add_method(*command);
   command->callback([options] { run(*options); });
 }

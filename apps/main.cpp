@@ -1,19 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <apps/commands.hpp>
+#include <apps/interruption.hpp>
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 namespace {
 
 // A person's mistake in the command line is told from a run that failed.
 enum ExitCode { kFine = 0, kFailed = 1, kUsage = 2 };
 
-int usage_error(const CLI::App& program, const CLI::ParseError& error) {
+std::vector<const CLI::App*> commands_of(const CLI::App& program) {
+  return program.get_subcommands([](const CLI::App*) { return true; });
+}
+
+// The command that the line names first; null: none that there is.
+const CLI::App* command_of(const CLI::App& program, int argc, char** argv) {
+  for (const CLI::App* command : commands_of(program)) {
+    if (argc > 1 && command->get_name() == argv[1]) return command;
+  }
+  return nullptr;
+}
+
+void refuse_unknown_command(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-' || command_of(program, argc, argv) != nullptr) return;
+  std::string names;
+  for (const CLI::App* command : commands_of(program)) {
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw tegotae::UsageError("there is no command '" + std::string(argv[1]) + "'; there are: " + names +
+                            "; see 'tegotae --help'.");
+}
+
+int usage_error(const CLI::App& program, const CLI::ParseError& error, const CLI::App* command) {
   if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version: prints it
-  std::fprintf(stderr, "tegotae: %s; see 'tegotae --help'.\n", error.what());
+  const std::string name = command != nullptr ? command->get_name() + " " : "";
+  std::fprintf(stderr, "tegotae: %s; see 'tegotae %s--help'.\n", error.what(), name.c_str());
   return kUsage;
 }
 
@@ -26,12 +52,16 @@ int run(int argc, char** argv) {
   tegotae::add_methods_command(program);
   tegotae::add_stability_command(program);
   try {
+    refuse_unknown_command(program, argc, argv);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return usage_error(program, error);
+    return usage_error(program, error, command_of(program, argc, argv));
   } catch (const tegotae::UsageError& error) {
     std::fprintf(stderr, "tegotae: %s\n", error.what());
     return kUsage;
+  } catch (const tegotae::Interruption& interruption) {
+    std::fprintf(stderr, "tegotae: %s\n", interruption.what());
+    return interruption.exit_code();
   }
   return kFine;
 }

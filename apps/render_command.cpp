@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <apps/commands.hpp>
+#include <apps/interruption.hpp>
 #include <apps/progress_line.hpp>
 #include <apps/settings_options.hpp>
+#include <apps/validators.hpp>
 #include <tegotae/lab/samples_file.hpp>
 #include <tegotae/lab/session.hpp>
+#include <tegotae/lab/text_file.hpp>
+#include <tegotae/lab/tick_troubles.hpp>
 #include <tegotae/lab/trajectory_file.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace tegotae {
@@ -21,35 +27,69 @@ struct RenderOptions {
   SettingsOptions settings;
 };
 
-void print_result(const RenderOptions& options, long rows, double deepest, double greatest_force) {
-  fmt::print("{} rows in {}: greatest force {:.4g} N, deepest penetration {:.4g} mm\n", rows, options.out,
-             greatest_force, deepest * 1e3);
+// What the rows came to.
+struct RenderedRows {
+  long count = 0;
+  double deepest = 0.0;         // m
+  double greatest_force = 0.0;  // N
+  TickTroubles troubles;
+
+  void add(const TickRecord& record) {
+    ++count;
+    deepest = std::max(deepest, record.deepest);
+    greatest_force = std::max(greatest_force, record.wrench.force.vector().norm());
+    troubles.add(record);
+  }
+};
+
+void refuse_to_overwrite_input(const RenderOptions& options) {
+  for (const auto& [option, input] :
+       {std::pair("--scene", options.scene), std::pair("--trajectory", options.trajectory)}) {
+    std::error_code error;
+    if (!std::filesystem::equivalent(options.out, input, error) || error) continue;
+    throw UsageError(
+        fmt::format("--out {} is the file of {}, which it would replace; name another.", options.out, option));
+  }
+}
+
+void warn(const std::string& warning) {
+  if (!warning.empty()) fmt::print(stderr, "tegotae: warning: {}\n", warning);
+}
+
+RenderedRows render(Session& session, SamplesFile& samples) {
+  RenderedRows rows;
+  ProgressLine progress("rendering");
+  session.run_simulated(
+      [&](const TickRecord& record) {
+        samples.write(record);
+        rows.add(record);
+        return !interrupted();
+      },
+      [&](double part) { progress.show(part); });
+  samples.close();
+  return rows;
 }
 
 void run(const RenderOptions& options) {
   const SettingsRequest wanted = options.settings.checked();
+  refuse_to_overwrite_input(options);
   Trajectory motion = read_trajectory(options.trajectory);
   auto world = load_mujoco_world(options.scene, options.tool);
-  for (const std::string& warning : world->warnings()) fmt::print(stderr, "tegotae: warning: {}\n", warning);
+  for (const std::string& warning : scene_warnings(*world, options.scene)) warn(warning);
   const SessionSettings settings =
-      decide_settings(wanted.or_else(settings_of(world->haptic_settings())), world->geometry().tool);
+      decide_settings(wanted.or_else(settings_of(world->haptic_settings(), options.scene)), world->geometry().tool);
   Session session(std::move(world), std::move(motion), settings);
 
+  check_writable_place(options.out);
   SamplesFile samples(options.out, session.notes(), session.start());
-  ProgressLine progress("rendering");
-  long rows = 0;
-  double deepest = 0.0, greatest_force = 0.0;
-  session.run_simulated(
-      [&](const TickRecord& record) {
-        samples.write(record);
-        ++rows;
-        deepest = std::max(deepest, record.deepest);
-        greatest_force = std::max(greatest_force, record.wrench.force.vector().norm());
-        return true;
-      },
-      [&](double part) { progress.show(part); });
-  samples.close();
-  print_result(options, rows, deepest, greatest_force);
+  listen_for_interruption();
+  const RenderedRows rows = render(session, samples);
+  warn(session.trouble());
+  warn(rows.troubles.sentence());
+  fmt::print("{} rows in {}: greatest force {:.4g} N, deepest penetration {:.4g} mm\n", rows.count, options.out,
+             rows.greatest_force, rows.deepest * 1e3);
+  if (interrupted())
+    throw Interruption(fmt::format("interrupted; the {} rows until then stand in {}.", rows.count, options.out));
 }
 
 }  // namespace
@@ -67,6 +107,7 @@ void add_render_command(CLI::App& program) {
       ->required();
   command->add_option("--out", options->out, "File for the result, one row a haptic tick")
       ->type_name("FILE")
+      ->check(not_empty("a file"))
       ->required();
   options->settings.add_all(*command);
   command->callback([options] { run(*options); });

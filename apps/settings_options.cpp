@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <apps/commands.hpp>
 #include <apps/settings_options.hpp>
+#include <apps/validators.hpp>
 #include <tegotae/lab/input_error.hpp>
 
 #include <fmt/format.h>
@@ -39,28 +40,33 @@ void SettingsOptions::add_method(CLI::App& command) {
 void SettingsOptions::add_all(CLI::App& command) {
   add_method(command);
   command.add_option("--stiffness", request.stiffness, "Stiffness k of the coupling; default: the scene's, else 1000")
-      ->type_name("N/m");
+      ->type_name("N/m")
+      ->check(number_in("N/m"));
   command.add_option("--damping", request.damping, "Damping d of the coupling; default: the scene's, else 0")
-      ->type_name("N·s/m");
+      ->type_name("N*s/m")
+      ->check(number_in("N*s/m"));
   command
       .add_option("--metric-length", metric_length,
                   "Length l that weighs rotation against translation, or 'gyration' for the tool's gyration length; "
                   "default: the scene's, else the method's (paper: 1)")
       ->type_name("m|gyration");
   command
-      .add_option("--physics-rate", request.physics_rate, "Rate of the physics steps; default: the scene's, else 100")
-      ->type_name("Hz");
+      .add_option("--physics-rate", request.physics_rate, "Rate of the physics steps; default: the scene's, else 500")
+      ->type_name("Hz")
+      ->check(number_in("Hz"));
   command.add_option("--haptic-rate", request.haptic_rate, "Rate of the haptic ticks; default: the scene's, else 1000")
-      ->type_name("Hz");
+      ->type_name("Hz")
+      ->check(number_in("Hz"));
   command
       .add_option("--margin", request.margin,
                   "Distance below which objects are near, beyond what the speeds ask for; default: the scene's, else "
                   "0.002")
-      ->type_name("m");
+      ->type_name("m")
+      ->check(number_in("m"));
   command
       .add_option("--constraint-set", constraint_set,
                   "Contact points that constrain the tool: 'penetrating' (the paper) or all 'near' ones; "
-                  "default: penetrating")
+                  "default: penetrating; only 'paper' has the choice")
       ->type_name("NAME");
 }
 

@@ -17,21 +17,24 @@ std::string settings_line(const SessionSettings& settings) {
 }
 
 // Rounded first, so that no "-0.000" appears.
+double rounded(double value) { return std::round(value * 1e3) / 1e3 + 0.0; }
+
 std::string range(const Spread& spread) {
-  const auto rounded = [](double value) { return std::round(value * 1e3) / 1e3 + 0.0; };
   return fmt::format("{:.3f} to {:.3f}", rounded(spread.min), rounded(spread.max));
 }
 
 constexpr double kMicrosecond = 1e-6, kMillisecond = 1e-3;  // s
 
 std::string row(const PhaseSummary& summary, bool in_real_time) {
+  const std::string title = summary.phase.name + "  " + summary.phase.summary;
+  if (summary.ticks == 0) return fmt::format("  {:<35}{:>18}\n", title, "not reached");
   const DurationHistogram& times = summary.tick_times;
   return fmt::format(
-      "  {:<34}{:>18}{:>18}{:>12}   {:>7.1f} {:>7.1f} {:>7.1f} {:>7.1f}   {}\n",
-      summary.phase.name + "  " + summary.phase.summary, range(summary.reported_force), range(summary.reported_torque),
-      fmt::format("{:g} to {:g}", summary.contacts.min, summary.contacts.max), times.median() / kMicrosecond,
-      times.percentile(0.99) / kMicrosecond, times.percentile(0.999) / kMicrosecond, times.max() / kMicrosecond,
-      in_real_time ? fmt::format("{}", summary.missed_deadlines) : "none: simulated time");
+      "  {:<35}{:>18}{:>12.3f}{:>18}{:>12.3f}{:>12}   {:>7.1f} {:>7.1f} {:>7.1f} {:>7.1f}   {}\n", title,
+      range(summary.reported_force), rounded(summary.force_at_end), range(summary.reported_torque),
+      rounded(summary.torque_at_end), fmt::format("{:g} to {:g}", summary.contacts.min, summary.contacts.max),
+      times.median() / kMicrosecond, times.percentile(0.99) / kMicrosecond, times.percentile(0.999) / kMicrosecond,
+      times.max() / kMicrosecond, in_real_time ? fmt::format("{}", summary.missed_deadlines) : "none: simulated time");
 }
 
 // What the run in real time was like.
@@ -64,18 +67,20 @@ std::string rights_lines(const ExperimentResult& result) {
 
 }  // namespace
 
-std::string summary_table(const Experiment& experiment, const ExperimentResult& result) {
+std::string summary_table(const ExperimentResult& result) {
+  const Experiment& experiment = result.experiment;
   std::string text = fmt::format("{}: {}\n", experiment.name, experiment.summary);
   auto out = std::back_inserter(text);
   for (const VariantResult& variant : result.variants) {
     fmt::format_to(out, "\n{}: {}\n  {}\n", variant.variant.name, variant.variant.summary,
                    settings_line(variant.settings));
-    fmt::format_to(out, "  {:<34}{:>18}{:>18}{:>12}   {:<31}   {}\n", "phase",
-                   fmt::format("force {} [N]", experiment.force_axis.name),
-                   fmt::format("torque {} [N m]", experiment.torque_axis.name), "contacts",
+    fmt::format_to(out, "  {:<35}{:>18}{:>12}{:>18}{:>12}{:>12}   {:<31}   {}\n", "phase",
+                   fmt::format("force {} [N]", experiment.force_axis.name), "at its end",
+                   fmt::format("torque {} [N m]", experiment.torque_axis.name), "at its end", "contacts",
                    "tick median, p99, p99.9, max [us]", "missed deadlines");
     const bool in_real_time = variant.real_time.has_value();
     for (const PhaseSummary& phase : variant.summary.phases) text += row(phase, in_real_time);
+    if (!variant.physics_rate_choice.empty()) fmt::format_to(out, "  {}\n", variant.physics_rate_choice);
     if (variant.real_time) text += real_time_lines(*variant.real_time);
   }
   text += '\n' + rights_lines(result);

@@ -8,6 +8,6 @@
 namespace tegotae {
 
 /// What an experiment came to, for a terminal: a table a variant, a row a phase, and where the files lie.
-std::string summary_table(const Experiment& experiment, const ExperimentResult& result);
+std::string summary_table(const ExperimentResult& result);
 
 }  // namespace tegotae

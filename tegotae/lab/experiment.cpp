@@ -7,13 +7,61 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace tegotae {
+namespace {
+
+void tell_of_paper(Experiment& experiment) {
+  for (Variant& variant : experiment.variants) {
+    if (!variant.paper_summary.empty()) variant.summary += ", " + variant.paper_summary;
+  }
+  for (Figure& figure : experiment.figures) {
+    if (!figure.paper_title.empty()) figure.title += " " + figure.paper_title;
+  }
+}
+
+// Without a set of constraints the variants that ask for one are the same run.
+void drop_constraint_sets(Experiment& experiment) {
+  const auto asks = [](const Variant& variant) { return variant.settings.constraint_set.has_value(); };
+  std::vector<Variant>& variants = experiment.variants;
+  if (!std::all_of(variants.begin(), variants.end(), asks)) return;
+  variants.resize(1);
+  variants[0].name = "only";
+  variants[0].summary = "the method has no choice of constraint set";
+  variants[0].settings.constraint_set.reset();
+}
+
+void drop_curves(Experiment& experiment) {
+  for (Figure& figure : experiment.figures) {
+    for (Panel& panel : figure.panels) {
+      std::erase_if(panel.curves, [&](const Curve& curve) {
+        return curve.is_reference || curve.variant >= experiment.variants.size();
+      });
+    }
+  }
+}
+
+}  // namespace
+
+Experiment described_for(const Experiment& experiment, std::string_view method) {
+  Experiment described = experiment;
+  if (method == "paper") {
+    tell_of_paper(described);
+    return described;
+  }
+  described.notes.clear();
+  drop_constraint_sets(described);
+  drop_curves(described);
+  for (Figure& figure : described.figures) figure.title += fmt::format(" (method {})", method);
+  return described;
+}
 
 std::vector<Variant> metric_length_variants() {
   SettingsRequest one_metre, gyration;
   one_metre.metric_length = 1.0;
   gyration.metric_length = 0.0;
-  return {{"one-metre", "metric length 1 m, the paper's equations literally", one_metre},
+  return {{"one-metre", "metric length 1 m", one_metre, "the paper's equations literally"},
           {"gyration", "metric length of the tool's own gyration length", gyration}};
 }
 

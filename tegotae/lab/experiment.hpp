@@ -31,7 +31,8 @@ struct ReportedAxis {
 struct Variant {
   std::string name;
   std::string summary;
-  SettingsRequest settings;  ///< these win over the experiment's
+  SettingsRequest settings;        ///< these win over the experiment's
+  std::string paper_summary = {};  ///< added to the summary where the method is the paper's
 };
 
 /// The two metric lengths between which the experiments of the paper are compared: 1 m, then the tool's own gyration
@@ -51,8 +52,13 @@ struct Experiment {
   std::vector<Variant> variants;  ///< at least one; the first is written to samples.csv
   ReportedAxis force_axis, torque_axis;
   std::vector<Figure> figures;
-  std::string notes;  ///< what to look at, a few sentences
+  std::string notes;  ///< what to look at with the paper's method, a few sentences
 };
+
+/// The experiment as it is performed and described with the method called `method`. For `paper`: titles and summaries
+/// with what they say of the paper. For any other: without that, without the notes and the curves of reference, which
+/// hold for the paper's method alone; variants that differ in the set of constraints become one.
+Experiment described_for(const Experiment& experiment, std::string_view method);
 
 /// All experiments, in the order of the list.
 std::span<const Experiment> experiments();

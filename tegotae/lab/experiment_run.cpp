@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/experiment_run.hpp>
+#include <tegotae/lab/physics_rate.hpp>
 #include <tegotae/lab/samples_file.hpp>
 #include <tegotae/lab/scene_file.hpp>
 #include <tegotae/lab/summary_json.hpp>
@@ -18,8 +19,9 @@ std::filesystem::path samples_file_of(const std::filesystem::path& folder, const
   return folder / (is_first ? "samples.csv" : fmt::format("samples-{}.csv", variant.name));
 }
 
-std::vector<std::string> notes_of(const Experiment& experiment, const Variant& variant, const Session& session) {
-  std::vector<std::string> notes = {fmt::format("experiment: {}, variant {}", experiment.name, variant.name)};
+std::vector<std::string> notes_of(const Experiment& experiment, const VariantResult& result, const Session& session) {
+  std::vector<std::string> notes = {fmt::format("experiment: {}, variant {}", experiment.name, result.variant.name)};
+  if (!result.physics_rate_choice.empty()) notes.push_back(result.physics_rate_choice);
   for (std::string& note : session.notes()) notes.push_back(std::move(note));
   return notes;
 }
@@ -27,6 +29,22 @@ std::vector<std::string> notes_of(const Experiment& experiment, const Variant& v
 void add_once(std::vector<std::string>& sentences, const std::string& sentence) {
   if (sentence.empty() || std::find(sentences.begin(), sentences.end(), sentence) != sentences.end()) return;
   sentences.push_back(sentence);
+}
+
+bool is_stopped(const ExperimentRequest& request) { return request.stop != nullptr && *request.stop; }
+
+// So that nothing of an earlier run is taken for this one's, whatever becomes of it. Nothing else is touched.
+void remove_earlier_results(const Experiment& experiment, const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::filesystem::remove(folder / "summary.json", ignored);
+  for (size_t i = 0; i < experiment.variants.size(); ++i) {
+    std::filesystem::remove(samples_file_of(folder, experiment.variants[i], i == 0), ignored);
+  }
+  for (const Figure& figure : experiment.figures) {
+    for (const char* ending : {".svg", ".png", ".gnuplot", ".dat"}) {
+      std::filesystem::remove(folder / "figures" / (figure.name + ending), ignored);
+    }
+  }
 }
 
 // Runs to the end, in the kind of time that is asked for, and says so in the result.
@@ -40,27 +58,38 @@ void run_session(Session& session, const ExperimentRequest& request, const TickO
   result.real_time = session.run_realtime(observer, progress, request.stop != nullptr ? *request.stop : never);
 }
 
+SettingsRequest with_measured_rate(SettingsRequest wanted, const MujocoWorld& world, std::string& choice) {
+  check_ranges(wanted);
+  PhysicsRateChoice measured = measured_physics_rate(world, wanted.haptic_rate.value_or(SessionSettings{}.haptic_rate));
+  wanted.physics_rate = measured.rate;
+  choice = std::move(measured.reason);
+  return wanted;
+}
+
 VariantResult run_variant(const Experiment& experiment, const Variant& variant, const ExperimentRequest& request,
                           std::filesystem::path samples_file, std::vector<std::string>& warnings,
                           const Progress& progress) {
-  auto world = load_mujoco_world(find_scene(experiment.scene), experiment.tool);
-  for (const std::string& warning : world->warnings()) add_once(warnings, warning);
+  const std::filesystem::path scene = find_scene(experiment.scene);
+  auto world = load_mujoco_world(scene, experiment.tool);
+  for (const std::string& warning : scene_warnings(*world, scene)) add_once(warnings, warning);
   const Tool& tool = world->geometry().tool;
-  const SettingsRequest wanted = request.settings.or_else(variant.settings)
-                                     .or_else(experiment.settings)
-                                     .or_else(settings_of(world->haptic_settings()));
-  const SessionSettings settings = decide_settings(wanted, tool);
+  VariantResult result{variant, {}, {}, {}, std::move(samples_file), std::nullopt};
+  SettingsRequest wanted = request.settings.or_else(variant.settings)
+                               .or_else(experiment.settings)
+                               .or_else(settings_of(world->haptic_settings(), scene));
+  if (request.real_time && !wanted.physics_rate)
+    wanted = with_measured_rate(wanted, *world, result.physics_rate_choice);
+  const SessionSettings settings = result.settings = decide_settings(wanted, tool);
   Trajectory motion = experiment.motion(tool);
   Session session(std::move(world), std::move(motion), settings);
 
-  VariantResult result{variant, settings, {}, {}, std::move(samples_file), std::nullopt};
-  SamplesFile samples(result.samples_file, notes_of(experiment, variant, session), session.start());
+  SamplesFile samples(result.samples_file, notes_of(experiment, result, session), session.start());
   run_session(
       session, request,
       [&](const TickRecord& record) {
         samples.write(record);
         result.records.push_back(record);
-        return true;
+        return !is_stopped(request);
       },
       progress, result);
   samples.close();
@@ -72,28 +101,32 @@ VariantResult run_variant(const Experiment& experiment, const Variant& variant, 
 
 }  // namespace
 
-ExperimentResult run_experiment(const Experiment& experiment, const ExperimentRequest& request,
-                                const Progress& progress) {
+ExperimentResult run_experiment(const Experiment& chosen, const ExperimentRequest& request, const Progress& progress) {
   make_folder(request.folder);
+  remove_earlier_results(chosen, request.folder);
   ExperimentResult result;
+  const std::string method = request.settings.or_else(chosen.settings).method.value_or(SessionSettings{}.method);
+  result.experiment = described_for(chosen, method);
+  const Experiment& experiment = result.experiment;
   const auto count = static_cast<double>(experiment.variants.size());
   for (const Variant& variant : experiment.variants) {
     const auto done = static_cast<double>(result.variants.size());
     result.variants.push_back(run_variant(experiment, variant, request,
                                           samples_file_of(request.folder, variant, result.variants.empty()),
                                           result.warnings, [&](double part) { progress((done + part) / count); }));
+    result.interrupted = is_stopped(request);
+    if (result.interrupted) break;
   }
   result.summary_file = request.folder / "summary.json";
-  write_text(result.summary_file, summary_json(experiment, result));
+  write_text(result.summary_file, summary_json(result));
   return result;
 }
 
-std::filesystem::path draw_figures(const Experiment& experiment, const ExperimentResult& result,
-                                   const std::filesystem::path& folder) {
+std::filesystem::path draw_figures(const ExperimentResult& result, const std::filesystem::path& folder) {
   std::vector<RunSamples> runs;
   for (const VariantResult& variant : result.variants) runs.push_back({variant.records, variant.settings});
   std::filesystem::path figures = folder / "figures";
-  for (const Figure& figure : experiment.figures) draw(figure, runs, figures);
+  for (const Figure& figure : result.experiment.figures) draw(figure, runs, figures);
   return figures;
 }
 

@@ -18,7 +18,7 @@ struct ExperimentRequest {
   std::filesystem::path folder;  ///< for the results; made where it is not there
   SettingsRequest settings;      ///< these win over the experiment's and its variants'
   bool real_time = false;
-  const std::atomic<bool>* stop = nullptr;  ///< in real time: ends the experiment where it becomes true
+  const std::atomic<bool>* stop = nullptr;  ///< ends the run and the experiment where it becomes true
 };
 
 /// One run of an experiment, done.
@@ -29,21 +29,24 @@ struct VariantResult {
   RunSummary summary;
   std::filesystem::path samples_file;
   std::optional<RealtimeReport> real_time;  ///< not set: time was simulated
+  std::string physics_rate_choice = {};     ///< why physics ran at its rate, where that was measured
 };
 
 struct ExperimentResult {
+  Experiment experiment;  ///< as it was performed, described for the method
   std::vector<VariantResult> variants;
   std::vector<std::string> warnings;  ///< of the scene and of the runs, a sentence each
   std::filesystem::path summary_file;
+  bool interrupted = false;  ///< by `stop`: the last variant there is ended early, those after it were not begun
 };
 
 /// Performs all variants, in simulated time or in real time, and writes samples.csv (first variant), samples-NAME.csv
-/// (others) and summary.json into the folder. Throws InputError, SceneError.
+/// (others) and summary.json into the folder, from which such files and figures of an earlier run are removed first. In
+/// real time, a physics rate that nobody set is measured. Throws InputError, SceneError.
 ExperimentResult run_experiment(const Experiment& experiment, const ExperimentRequest& request,
                                 const Progress& progress);
 
-/// Draws the experiment's figures from the result; returns the folder that holds them. Throws InputError.
-std::filesystem::path draw_figures(const Experiment& experiment, const ExperimentResult& result,
-                                   const std::filesystem::path& folder);
+/// Draws the figures of a whole result; returns the folder that holds them. Throws InputError.
+std::filesystem::path draw_figures(const ExperimentResult& result, const std::filesystem::path& folder);
 
 }  // namespace tegotae

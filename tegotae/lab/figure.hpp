@@ -31,6 +31,7 @@ struct Panel {
 struct Figure {
   std::string name;  ///< of the files
   std::string title;
+  std::string paper_title = {};  ///< added to the title where the method is the paper's
   std::string x_label = "time [s]";
   Quantity x = [](const TickRecord& record, const SessionSettings&) { return record.time; };
   std::vector<Panel> panels = {};

@@ -74,15 +74,17 @@ std::vector<Curve> both_lengths(const Quantity& rendered, const Quantity& refere
 
 std::vector<Figure> figures() {
   const Vector3 y = Vector3::UnitY(), z = Vector3::UnitZ();
-  Figure force{.name = "figure-5", .title = "Height and force (the paper's figure 5), l = 1 m"};
+  Figure force{.name = "figure-5", .title = "Height and force, l = 1 m", .paper_title = "(the paper's figure 5)"};
   force.panels = {{"y [m]", {{"y", 0, position_along(y), false}}}, {"f_y [N]", {{"f_y", 0, force_along(y), false}}}};
-  Figure torque{.name = "figure-6", .title = "Angle and torque (the paper's figure 6), l = 1 m"};
+  Figure torque{.name = "figure-6", .title = "Angle and torque, l = 1 m", .paper_title = "(the paper's figure 6)"};
   torque.panels = {{"{/Symbol q}_z [deg]", {{"{/Symbol q}_z", 0, angle_about(z), false}}},
                    {"{/Symbol t}_z [N m]", {{"{/Symbol t}_z", 0, torque_along(z), false}}}};
-  Figure metric{.name = "metric-length", .title = "The metric length decides what is felt"};
+  Figure metric{.name = "metric-length", .title = "Force and torque with both metric lengths"};
   metric.panels = {{"f_y [N]", both_lengths(force_along(y), closed_form_force())},
                    {"{/Symbol t}_z [N m]", both_lengths(torque_along(z), closed_form_torque())}};
-  Figure face{.name = "face-contact", .title = "From the edge to the face at constant depth: the dip of the force"};
+  Figure face{.name = "face-contact",
+              .title = "From the edge to the face at constant depth",
+              .paper_title = "(the dip of the force)"};
   face.x_label = "{/Symbol q}_z [deg]";
   face.x = angle_about(z);
   face.x_descends = true;
@@ -102,7 +104,7 @@ Experiment paper_cube_experiment() {
   experiment.motion = motion;
   experiment.phases = {{"a", "edge lowered onto the floor", 0.0, kTouched},
                        {"b", "edge turned onto the face", kTouched, kTurned},
-                       {"c", "face held 0.02 deg off", kTurned, kEnd}};
+                       {"c", "face pressed, held 0.02 deg off", kTurned, kEnd}};
   experiment.variants = metric_length_variants();
   experiment.force_axis = {"y", Vector3::UnitY()};
   experiment.torque_axis = {"z", Vector3::UnitZ()};

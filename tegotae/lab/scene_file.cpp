@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <system_error>
@@ -12,11 +13,23 @@
 namespace tegotae {
 namespace {
 
-// The source tree comes first: a library that is being worked on must not read the scenes of an older installed one.
+// Of the prefix that the running program lies in, wherever that was moved to; empty: not known.
+std::filesystem::path scenes_beside_program() {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) return {};
+  return program.parent_path().parent_path() / "share" / "tegotae" / "scenes";
+}
+
+// An installed program reads the scenes installed with it. Otherwise the source tree comes before the place of
+// installation: a library that is being worked on must not read the scenes of an older one.
 std::vector<std::filesystem::path> scene_folders() {
   const char* const chosen = std::getenv("TEGOTAE_SCENES");  // NOLINT(concurrency-mt-unsafe)
   if (chosen != nullptr && *chosen != '\0') return {chosen};
-  return {TEGOTAE_SOURCE_SCENES, TEGOTAE_INSTALLED_SCENES};
+  std::vector<std::filesystem::path> folders = {scenes_beside_program(), TEGOTAE_SOURCE_SCENES,
+                                                TEGOTAE_INSTALLED_SCENES};
+  folders.erase(std::remove(folders.begin(), folders.end(), std::filesystem::path()), folders.end());
+  return folders;
 }
 
 }  // namespace

@@ -87,4 +87,36 @@ SettingsRequest settings_of(const HapticSettingsInScene& scene) {
   return request;
 }
 
+SettingsRequest settings_of(const HapticSettingsInScene& scene, const std::filesystem::path& file) {
+  using Member = std::optional<double> SettingsRequest::*;
+  constexpr std::pair<const char*, Member> kSettings[] = {
+      {"tegotae_stiffness", &SettingsRequest::stiffness},
+      {"tegotae_damping", &SettingsRequest::damping},
+      {"tegotae_metric_length", &SettingsRequest::metric_length},
+      {"tegotae_margin", &SettingsRequest::margin},
+      {"tegotae_physics_rate", &SettingsRequest::physics_rate},
+      {"tegotae_haptic_rate", &SettingsRequest::haptic_rate},
+  };
+  const SettingsRequest request = settings_of(scene);
+  for (const auto& [name, member] : kSettings) {
+    SettingsRequest alone;
+    alone.*member = request.*member;
+    try {
+      check_ranges(alone);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: the setting '{}' in <custom>: {}", file.string(), name, error.what()));
+    }
+  }
+  return request;
+}
+
+std::vector<std::string> scene_warnings(const MujocoWorld& world, const std::filesystem::path& file) {
+  std::vector<std::string> warnings;
+  for (const std::string& warning : world.warnings()) {
+    const bool names_file = warning.find(file.string()) != std::string::npos;
+    warnings.push_back(names_file ? warning : fmt::format("{}: {}", file.string(), warning));
+  }
+  return warnings;
+}
+
 }  // namespace tegotae

@@ -8,6 +8,7 @@
 #include <tegotae/world/mujoco_world.hpp>
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -25,7 +26,8 @@ class Session {
   /// Throws InputError where the motion is too long for the haptic rate.
   Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const SessionSettings& settings);
 
-  /// In simulated time, on this thread: every record but `tick_us` repeats bit for bit.
+  /// In simulated time, on this thread, until the motion ends or the observer says so: every record but `tick_us`
+  /// repeats bit for bit.
   void run_simulated(const TickObserver& observer, const Progress& progress);
 
   /// In real time, both rates on threads of their own, until the motion ends or `stop` becomes true.
@@ -55,5 +57,11 @@ class Session {
 
 /// The scene's own haptic settings as a request.
 SettingsRequest settings_of(const HapticSettingsInScene& scene);
+
+/// The same, checked. Throws InputError that names `file` and the setting where one is out of range.
+SettingsRequest settings_of(const HapticSettingsInScene& scene, const std::filesystem::path& file);
+
+/// The world's warnings on loading, each beginning with the file of its scene.
+std::vector<std::string> scene_warnings(const MujocoWorld& world, const std::filesystem::path& file);
 
 }  // namespace tegotae

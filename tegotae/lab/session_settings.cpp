@@ -33,7 +33,16 @@ void check_method(const std::string& name) {
   throw InputError(fmt::format("there is no method '{}'; there are: {}.", name, names));
 }
 
+void check_constraint_set(const SettingsRequest& request) {
+  const std::string method = request.method.value_or(SessionSettings{}.method);
+  if (!request.constraint_set || has_constraint_set(method)) return;
+  throw InputError(
+      fmt::format("the method '{}' has no choice of constraint set; leave it out or take method 'paper'.", method));
+}
+
 }  // namespace
+
+bool has_constraint_set(std::string_view name) noexcept { return name == "paper"; }
 
 SettingsRequest SettingsRequest::or_else(const SettingsRequest& other) const {
   SettingsRequest both;
@@ -50,6 +59,7 @@ SettingsRequest SettingsRequest::or_else(const SettingsRequest& other) const {
 
 void check_ranges(const SettingsRequest& request) {
   if (request.method) check_method(*request.method);
+  check_constraint_set(request);
   check("stiffness", request.stiffness, 1e-3, 1e6, "N/m");
   check("damping", request.damping, 0.0, 1e4, "N s/m");
   if (request.metric_length != 0.0) check("metric length", request.metric_length, 1e-6, 1e3, "m");
@@ -89,16 +99,17 @@ RenderingMethod SessionSettings::make_method(const Tool& tool) const {
 }
 
 std::vector<std::string> SessionSettings::lines() const {
-  return {
+  std::vector<std::string> all = {
       fmt::format("method: {}", method),
       fmt::format("stiffness: {} N/m", stiffness),
       fmt::format("damping: {} N s/m", damping),
       fmt::format("metric length: {} m", metric_length),
-      fmt::format("constraint set: {}", name_of(constraint_set)),
       fmt::format("physics rate: {} Hz", physics_rate),
       fmt::format("haptic rate: {} Hz", haptic_rate),
       fmt::format("margin: {} m", margin),
   };
+  if (has_constraint_set(method)) all.push_back(fmt::format("constraint set: {}", name_of(constraint_set)));
+  return all;
 }
 
 std::string_view name_of(ConstraintSet set) noexcept {

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tegotae {
@@ -33,7 +34,7 @@ struct SessionSettings {
   double damping = 0.0;        ///< N s/m
   double metric_length = 1.0;  ///< m
   ConstraintSet constraint_set = ConstraintSet::kPenetratingPoints;
-  double physics_rate = 100.0;  ///< Hz. Fixed, not measured: results repeat on any machine
+  double physics_rate = 500.0;  ///< Hz. Fixed, not measured: results repeat on any machine
   double haptic_rate = 1000.0;  ///< Hz
   double margin = 0.002;        ///< m, of the search for near objects, beyond what the speeds ask for
 
@@ -44,9 +45,12 @@ struct SessionSettings {
 };
 
 /// The settings that `request` asks for, the defaults above (and the method's own metric length) where it leaves them
-/// open. Throws InputError, with the names or the range permitted, for a method that is not there or a value out of
-/// range.
+/// open. Throws InputError, with the names or the range permitted, for a method that is not there, a value out of
+/// range or a setting that the method does not have.
 SessionSettings decide_settings(const SettingsRequest& request, const Tool& tool);
+
+/// Whether the method called `name` lets one choose its set of constraints: `paper` alone does.
+bool has_constraint_set(std::string_view name) noexcept;
 
 /// Throws InputError, as `decide_settings` does, for a value out of range, before any scene is loaded.
 void check_ranges(const SettingsRequest& request);

@@ -28,19 +28,19 @@ Spread spread_of(std::span<const TickRecord> records, Number&& number) {
   return spread;
 }
 
-// Whole periods between the first tick and the last, less those that had theirs.
-std::uint64_t missed_in(std::span<const TickRecord> records, double haptic_rate) {
+// Whole periods from the tick before the first to the last, less those that had theirs. `before`: null, the run begins
+// with the first tick.
+std::uint64_t missed_in(std::span<const TickRecord> records, const TickRecord* before, double haptic_rate) {
   if (records.empty()) return 0;
-  const long periods = std::lround((records.back().time - records.front().time) * haptic_rate);
-  return static_cast<std::uint64_t>(std::max(0L, periods + 1 - static_cast<long>(records.size())));
+  const double begin = before != nullptr ? before->time : records.front().time - 1.0 / haptic_rate;
+  const long periods = std::lround((records.back().time - begin) * haptic_rate);
+  return static_cast<std::uint64_t>(std::max(0L, periods - static_cast<long>(records.size())));
 }
 
-PhaseSummary summary_of(const Experiment& experiment, const Phase& phase, std::span<const TickRecord> records,
-                        double haptic_rate) {
+PhaseSummary summary_of(const Experiment& experiment, const Phase& phase, std::span<const TickRecord> records) {
   PhaseSummary summary;
   summary.phase = phase;
   summary.ticks = records.size();
-  summary.missed_deadlines = missed_in(records, haptic_rate);
   for (size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     summary.force[i] = spread_of(records, [&](const TickRecord& r) { return r.wrench.force.vector()[axis]; });
@@ -53,6 +53,10 @@ PhaseSummary summary_of(const Experiment& experiment, const Phase& phase, std::s
       spread_of(records, [&](const TickRecord& r) { return along_force.dot(r.wrench.force.vector()); });
   summary.reported_torque =
       spread_of(records, [&](const TickRecord& r) { return along_torque.dot(r.wrench.torque.vector()); });
+  if (!records.empty()) {
+    summary.force_at_end = along_force.dot(records.back().wrench.force.vector());
+    summary.torque_at_end = along_torque.dot(records.back().wrench.torque.vector());
+  }
   summary.contacts = spread_of(records, [](const TickRecord& r) { return static_cast<double>(r.active); });
   summary.deepest = spread_of(records, [](const TickRecord& r) { return r.deepest; });
   for (size_t i = 1; i < records.size(); ++i) {
@@ -81,7 +85,10 @@ RunSummary summarise(const Experiment& experiment, std::span<const TickRecord> r
     const Phase& phase = experiment.phases[i];
     const bool is_last = i + 1 == experiment.phases.size();
     const double end = is_last ? std::numeric_limits<double>::infinity() : phase.end;
-    summary.phases.push_back(summary_of(experiment, phase, between(records, phase.begin, end), haptic_rate));
+    const std::span<const TickRecord> ticks = between(records, phase.begin, end);
+    const TickRecord* const before = ticks.data() == records.data() ? nullptr : ticks.data() - 1;
+    summary.phases.push_back(summary_of(experiment, phase, ticks));
+    summary.phases.back().missed_deadlines = missed_in(ticks, before, haptic_rate);
     summary.haptics.missed_deadlines += summary.phases.back().missed_deadlines;
   }
   for (const std::string_view name : kEventNames) summary.safety_events[std::string(name)] = 0;

@@ -24,16 +24,18 @@ struct Spread {
 struct PhaseSummary {
   Phase phase;
   std::uint64_t ticks = 0;
-  std::uint64_t missed_deadlines = 0;  ///< haptic periods without a tick; none in simulated time
+  std::uint64_t missed_deadlines = 0;  ///< haptic periods without a tick since the tick before the phase's first; none
+                                       ///< in simulated time
   std::array<Spread, 3> force;         ///< x, y, z of the method's wrench, N
   std::array<Spread, 3> torque;        ///< about the tool's centre of mass, N m
   Spread force_norm, torque_norm;
-  Spread reported_force, reported_torque;  ///< along the experiment's axes
-  Spread contacts;                         ///< contact points that push
-  Spread deepest;                          ///< m
-  double greatest_force_step = 0.0;        ///< of the method's force from a tick of the phase to the next, N
-  double greatest_torque_step = 0.0;       ///< of its torque, N m
-  DurationHistogram tick_times;            ///< s
+  Spread reported_force, reported_torque;          ///< along the experiment's axes
+  double force_at_end = 0.0, torque_at_end = 0.0;  ///< along the same axes, in the last tick of the phase
+  Spread contacts;                                 ///< contact points that push
+  Spread deepest;                                  ///< m
+  double greatest_force_step = 0.0;                ///< of the method's force from a tick of the phase to the next, N
+  double greatest_torque_step = 0.0;               ///< of its torque, N m
+  DurationHistogram tick_times;                    ///< s
 };
 
 /// What a run came to.

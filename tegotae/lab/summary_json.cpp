@@ -13,11 +13,12 @@ constexpr int kSummaryVersion = 1;
 Json json_of(const Spread& spread) { return {{"min", spread.min}, {"max", spread.max}, {"mean", spread.mean}}; }
 
 Json json_of(const SessionSettings& settings) {
+  const bool has_set = has_constraint_set(settings.method);
   return {{"method", settings.method},
           {"stiffness_N_per_m", settings.stiffness},
           {"damping_N_s_per_m", settings.damping},
           {"metric_length_m", settings.metric_length},
-          {"constraint_set", name_of(settings.constraint_set)},
+          {"constraint_set", has_set ? Json(name_of(settings.constraint_set)) : Json()},
           {"physics_rate_Hz", settings.physics_rate},
           {"haptic_rate_Hz", settings.haptic_rate},
           {"margin_m", settings.margin}};
@@ -31,6 +32,8 @@ Json json_of(const PhaseSummary& summary) {
           {"ticks", summary.ticks},
           {"reported_force_N", json_of(summary.reported_force)},
           {"reported_torque_N_m", json_of(summary.reported_torque)},
+          {"reported_force_at_end_N", summary.force_at_end},
+          {"reported_torque_at_end_N_m", summary.torque_at_end},
           {"force_N",
            {{"x", json_of(summary.force[0])},
             {"y", json_of(summary.force[1])},
@@ -81,6 +84,7 @@ Json timing_of(const VariantResult& result) {
                  {"tick_us", json_of(summary.haptics.durations, kMicrosecond)},
                  {"tick_us_of_phases", phases}};
   if (result.real_time) add_real_time(*result.real_time, timing);
+  if (!result.physics_rate_choice.empty()) timing["physics_rate_choice"] = result.physics_rate_choice;
   return timing;
 }
 
@@ -101,7 +105,8 @@ Json json_of(const VariantResult& result) {
 
 }  // namespace
 
-std::string summary_json(const Experiment& experiment, const ExperimentResult& result) {
+std::string summary_json(const ExperimentResult& result) {
+  const Experiment& experiment = result.experiment;
   Json variants = Json::array();
   for (const VariantResult& variant : result.variants) variants.push_back(json_of(variant));
   const Json summary = {{"format", kSummaryVersion},
@@ -111,6 +116,7 @@ std::string summary_json(const Experiment& experiment, const ExperimentResult& r
                         {"reported_force_axis", experiment.force_axis.name},
                         {"reported_torque_axis", experiment.torque_axis.name},
                         {"warnings", result.warnings},
+                        {"interrupted", result.interrupted},
                         {"variants", variants}};
   return summary.dump(2) + "\n";
 }

@@ -32,7 +32,7 @@ std::vector<Variant> variants() {
   penetrating.constraint_set = ConstraintSet::kPenetratingPoints;
   SettingsRequest near = penetrating;
   near.constraint_set = ConstraintSet::kNearPoints;
-  return {{"penetrating", "penetrating points only, as published", penetrating}, {"near", "all near points", near}};
+  return {{"penetrating", "penetrating points only", penetrating, "as published"}, {"near", "all near points", near}};
 }
 
 }  // namespace
@@ -49,7 +49,9 @@ Experiment tilt_sweep_experiment() {
   experiment.variants = variants();
   experiment.force_axis = {"y", Vector3::UnitY()};
   experiment.torque_axis = {"z", Vector3::UnitZ()};
-  Figure figure{.name = "force-over-tilt", .title = "The set of constraints decides whether the force jumps"};
+  Figure figure{.name = "force-over-tilt",
+                .title = "Force and torque over the tilt",
+                .paper_title = "(the set of constraints decides whether the force jumps)"};
   figure.x_label = "{/Symbol q}_z [deg]";
   figure.x = angle_about(Vector3::UnitZ());
   figure.panels = {{"f_y [N]", both_sets(force_along(Vector3::UnitY()))},

@@ -25,6 +25,18 @@ if(NOT EXISTS "${PREFIX}/bin/tegotae")
 endif()
 run("${PREFIX}/bin/tegotae" --version)
 
+# From wherever it lies, the program reads the scenes beside it: these differ from the source's.
+file(COPY "${PREFIX}/bin" "${PREFIX}/share" "${PREFIX}/lib" DESTINATION "${WORK}/elsewhere")
+set(scene "${WORK}/elsewhere/share/tegotae/scenes/paper-cube.xml")
+file(READ "${scene}" text)
+string(REPLACE "tegotae_stiffness\" data=\"9000\"" "tegotae_stiffness\" data=\"4321\"" text "${text}")
+file(WRITE "${scene}" "${text}")
+run("${WORK}/elsewhere/bin/tegotae" experiment paper-cube --out "${WORK}/elsewhere/out")
+file(STRINGS "${WORK}/elsewhere/out/samples.csv" stiffness REGEX "^# stiffness: 4321 N/m")
+if(NOT stiffness)
+  message(FATAL_ERROR "The installed program did not read the scene beside it, ${scene}.")
+endif()
+
 # Every header of the library is installed.
 file(GLOB_RECURSE in_source RELATIVE "${SOURCE}" "${SOURCE}/tegotae/*.hpp")
 file(GLOB_RECURSE installed RELATIVE "${PREFIX}/include" "${PREFIX}/include/*.hpp")

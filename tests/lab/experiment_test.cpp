@@ -44,6 +44,36 @@ TEST(Experiments, PhasesFollowEachOtherAndFiguresReadVariantsThatAreThere) {
   }
 }
 
+TEST(Experiments, DescribedForThePaperTellOfIt) {
+  const Experiment cube = described_for(find_experiment("paper-cube"), "paper");
+  EXPECT_THAT(cube.variants[0].summary, HasSubstr("the paper's equations"));
+  EXPECT_THAT(cube.figures[0].title, HasSubstr("the paper's figure 5"));
+  EXPECT_FALSE(cube.notes.empty());
+}
+
+TEST(Experiments, DescribedForAnotherMethodDoNotSpeakOfThePapers) {
+  for (const Experiment& experiment : experiments()) {
+    const Experiment described = described_for(experiment, "adachi");
+    EXPECT_EQ(described.notes, "");
+    for (const Variant& variant : described.variants) {
+      EXPECT_THAT(variant.summary, testing::Not(HasSubstr("paper")));
+      EXPECT_FALSE(variant.settings.constraint_set.has_value());
+    }
+    for (const Figure& figure : described.figures) {
+      EXPECT_THAT(figure.title, testing::AllOf(HasSubstr("adachi"), testing::Not(HasSubstr("paper"))));
+      for (const Panel& panel : figure.panels) {
+        EXPECT_FALSE(panel.curves.empty()) << figure.name;
+        for (const Curve& curve : panel.curves) {
+          EXPECT_FALSE(curve.is_reference) << figure.name;
+          EXPECT_LT(curve.variant, described.variants.size()) << figure.name;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(described_for(find_experiment("tilt-sweep"), "adachi").variants.size(), 1U);
+  EXPECT_EQ(described_for(find_experiment("paper-cube"), "adachi").variants.size(), 2U);
+}
+
 TEST(Experiments, AnUnknownNameIsAnsweredWithThoseThereAre) {
   EXPECT_THAT([] { find_experiment("paper-cubes"); },
               testing::ThrowsMessage<InputError>(testing::AllOf(HasSubstr("'paper-cubes'"), HasSubstr("tool-18"))));

@@ -100,6 +100,25 @@ TEST(ProgramExperiment, WithoutGnuplotKeepsTheSamplesAndSaysWhatToInstall) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "summary.json"));
 }
 
+TEST(ProgramExperiment, InterruptedBeginsNoFurtherVariantAndLeavesNothingOfAnEarlierRun) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> command = {"experiment", "paper-cube", "--out", folder.path().string()};
+  ASSERT_EQ(run_program(command).exit_code, 0);
+  std::vector<std::string> in_real_time = command;
+  in_real_time.emplace_back("--realtime");
+  const ProgramResult result = run_program(in_real_time, "timeout --preserve-status -s TERM 1");
+  EXPECT_EQ(result.exit_code, 143) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("tegotae: interrupted; "));
+  EXPECT_THAT(result.out, HasSubstr("not reached"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "samples-gyration.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "figures" / "figure-5.svg"));
+  const SamplesTable table = read_samples(folder.path() / "samples.csv");
+  ASSERT_FALSE(table.rows.empty());
+  EXPECT_LT(table.rows.size(), 6001U);
+  EXPECT_EQ(table.rows.back().size(), table.names.size());
+  EXPECT_TRUE(nlohmann::json::parse(contents_of(folder.path() / "summary.json"))["interrupted"]);
+}
+
 TEST(ProgramExperiment, BadInputIsAnsweredWithASentence) {
   const TemporaryFolder folder;
   const std::string occupied = folder.write("occupied", "");
@@ -108,6 +127,7 @@ TEST(ProgramExperiment, BadInputIsAnsweredWithASentence) {
   expect_one_sentence(run_program({"experiment", "paper-cube", "--method", "magic"}), 2, "there is no method 'magic'");
   expect_one_sentence(run_program({"experiment", "paper-cube", "--out", occupied + "/out"}), 1, "occupied/out");
   expect_one_sentence(run_program({"experiment", "paper-cube", "--out", "/proc/none"}), 1, "/proc/none");
+  expect_one_sentence(run_program({"experiment", "paper-cube", "--out", ""}), 2, "takes a folder, not ''");
   expect_one_sentence(
       run_program({"experiment", "paper-cube", "--out", folder.path().string()}, "TEGOTAE_SCENES=/nowhere"), 1,
       "no scene file paper-cube.xml in /nowhere");
@@ -164,7 +184,7 @@ TEST(ProgramRender, RefusesOptionsThatMakeNoSense) {
     return run_program(render_command(motion, out, {option, value}));
   };
   expect_one_sentence(with("--stiffness", "-5"), 2, "permitted are");
-  expect_one_sentence(with("--stiffness", "stiff"), 2, "--stiffness");
+  expect_one_sentence(with("--stiffness", "stiff"), 2, "--stiffness: takes a number in N/m, not 'stiff'");
   expect_one_sentence(with("--damping", "nan"), 2, "permitted are");
   expect_one_sentence(with("--metric-length", "-1"), 2, "metric length");
   expect_one_sentence(with("--metric-length", "long"), 2, "'gyration'");
@@ -175,8 +195,63 @@ TEST(ProgramRender, RefusesOptionsThatMakeNoSense) {
   expect_one_sentence(with("--method", "magic"), 2, "there is no method");
   expect_one_sentence(with("--colour", "red"), 2, "--colour");
   expect_one_sentence(run_program({"render", "--scene", kScene}), 2, "required");
+  expect_one_sentence(run_program({"render"}), 2, "see 'tegotae render --help'");
   expect_one_sentence(run_program({}), 2, "--help");
+  expect_one_sentence(run_program({"rendr"}), 2, "there is no command 'rendr'; there are: experiment, render");
+  expect_one_sentence(run_program(render_command(motion, out, {"--method", "adachi", "--constraint-set", "near"})), 2,
+                      "'adachi' has no choice of constraint set");
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(ProgramRender, RefusesToReplaceWhatItReads) {
+  const TemporaryFolder folder;
+  const std::string motion = folder.write("motion.csv", kMotion),
+                    scene = folder.write("scene.xml", contents_of(kScene));
+  std::filesystem::create_symlink(motion, folder.path() / "link.csv");
+  const auto with = [&](const std::string& out) {
+    return run_program({"render", "--scene", scene, "--tool", "tool", "--trajectory", motion, "--out", out});
+  };
+  expect_one_sentence(with(motion), 2, "is the file of --trajectory");
+  expect_one_sentence(with((folder.path() / "link.csv").string()), 2, "is the file of --trajectory");
+  expect_one_sentence(with(scene), 2, "is the file of --scene");
+  EXPECT_EQ(contents_of(motion), kMotion);
+  EXPECT_EQ(contents_of(scene), contents_of(kScene));
+}
+
+TEST(ProgramRender, TellsOfForcesCutToTheirLimit) {
+  const TemporaryFolder folder;
+  const std::string deep = "t,x,y,z,qw,qx,qy,qz\n0,0,0.11,0,1,0,0,0\n1,0,0.08,0,1,0,0,0\n";
+  const ProgramResult result =
+      run_program(render_command(folder.write("deep.csv", deep), (folder.path() / "out.csv").string()));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, HasSubstr("tegotae: warning: of 1001 ticks: "));
+  EXPECT_THAT(result.err, HasSubstr("cut to its limit in "));
+}
+
+TEST(ProgramRender, InterruptedLeavesWholeRowsAndSaysSo) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out.csv").string();
+  const std::string endless = "t,x,y,z,qw,qx,qy,qz\n0,0,0.11,0,1,0,0,0\n50000,0,0.0996,0,1,0,0,0\n";
+  for (const auto& [signal, exit_code] : {std::pair("INT", 130), std::pair("TERM", 143), std::pair("HUP", 129)}) {
+    const ProgramResult result = run_program(render_command(folder.write("endless.csv", endless), out),
+                                             std::string("timeout --preserve-status -s ") + signal + " 1");
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("tegotae: interrupted; the "));
+    const SamplesTable table = read_samples(out);
+    ASSERT_FALSE(table.rows.empty());
+    EXPECT_EQ(table.rows.back().size(), table.names.size());
+  }
+}
+
+TEST(ProgramRender, NamesTheSceneSettingThatIsOutOfRange) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write(
+      "fast.xml",
+      "<mujoco><custom><numeric name=\"tegotae_physics_rate\" data=\"9999\"/></custom><worldbody>"
+      "<body name=\"tool\" mocap=\"true\"><geom size=\"0.1\"/></body><geom size=\"0.1\"/></worldbody></mujoco>");
+  expect_one_sentence(run_program({"render", "--scene", scene, "--tool", "tool", "--trajectory",
+                                   folder.write("motion.csv", kMotion), "--out", (folder.path() / "out").string()}),
+                      1, "fast.xml: the setting 'tegotae_physics_rate' in <custom>: ");
 }
 
 TEST(ProgramRender, RefusesBadTrajectories) {
@@ -219,6 +294,8 @@ TEST(ProgramRender, RefusesAnOutputThatCannotBeWritten) {
   expect_one_sentence(run_program(render_command(motion, (folder.path() / "none" / "out.csv").string())), 1,
                       "none/out.csv");
   expect_one_sentence(run_program(render_command(motion, "/dev/full")), 1, "No space left");
+  expect_one_sentence(run_program(render_command(motion, folder.path().string())), 1, "this is a folder");
+  expect_one_sentence(run_program(render_command(motion, "")), 2, "takes a file, not ''");
 }
 
 }  // namespace

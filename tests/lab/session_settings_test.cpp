@@ -25,7 +25,7 @@ TEST(SessionSettings, AreTheDefaultsWhereNothingIsAsked) {
   const SessionSettings settings = decide_settings({}, cube());
   EXPECT_EQ(settings.method, "paper");
   EXPECT_EQ(settings.metric_length, 1.0);
-  EXPECT_EQ(settings.physics_rate, 100.0);
+  EXPECT_EQ(settings.physics_rate, 500.0);
   EXPECT_EQ(settings.haptic_rate, 1000.0);
   EXPECT_EQ(settings.constraint_set, ConstraintSet::kPenetratingPoints);
 }
@@ -84,6 +84,16 @@ TEST(SessionSettings, RefusesAnUnknownMethodAndNamesThoseThereAre) {
   request.method = "magic";
   EXPECT_THAT([&] { check_ranges(request); },
               ThrowsMessage<InputError>(testing::AllOf(HasSubstr("'magic'"), HasSubstr("paper"))));
+}
+
+TEST(SessionSettings, RefusesAConstraintSetToMethodsThatHaveNone) {
+  SettingsRequest request;
+  request.constraint_set = ConstraintSet::kNearPoints;
+  EXPECT_NO_THROW(check_ranges(request));
+  request.method = "adachi";
+  EXPECT_THAT([&] { check_ranges(request); }, ThrowsMessage<InputError>(HasSubstr("'adachi' has no choice")));
+  request.constraint_set.reset();
+  EXPECT_THAT(decide_settings(request, cube()).lines(), testing::Not(testing::Contains(HasSubstr("constraint set"))));
 }
 
 TEST(SessionSettings, LinesNameEverySettingWithItsUnit) {

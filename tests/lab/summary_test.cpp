@@ -89,6 +89,15 @@ TEST(Summary, CountsPeriodsWithoutATick) {
   EXPECT_EQ(summary.haptics.missed_deadlines, 3U);
 }
 
+TEST(Summary, CountsPeriodsMissedAcrossTheBoundaryOfPhasesInTheLater) {
+  std::vector<TickRecord> records = numbered_ticks(21);
+  records.erase(records.begin() + 8, records.begin() + 12);
+  const RunSummary summary = summarise(two_phases(), records, 1000.0);
+  EXPECT_EQ(summary.phases[0].missed_deadlines, 0U);
+  EXPECT_EQ(summary.phases[1].missed_deadlines, 4U);
+  EXPECT_EQ(summary.haptics.missed_deadlines, 4U);
+}
+
 TEST(Summary, OfAPhaseWithoutTicksIsEmpty) {
   const RunSummary summary = summarise(two_phases(), numbered_ticks(5), 1000.0);
   EXPECT_EQ(summary.phases[1].ticks, 0U);
@@ -103,14 +112,17 @@ TEST(SummaryJson, CarriesSettingsPhasesAndTimes) {
   variant.settings.stiffness = 9000.0;
   variant.samples_file = "somewhere/samples.csv";
   variant.summary = summarise(experiment, numbered_ticks(21), 1000.0);
+  result.experiment = experiment;
   result.variants = {variant};
 
-  const auto json = nlohmann::json::parse(summary_json(experiment, result));
+  const auto json = nlohmann::json::parse(summary_json(result));
   EXPECT_EQ(json["experiment"], "two");
   const auto& only = json["variants"][0];
   EXPECT_EQ(only["settings"]["stiffness_N_per_m"], 9000.0);
   EXPECT_EQ(only["samples"], "samples.csv");
   EXPECT_EQ(only["phases"][1]["force_N"]["y"]["max"], 20.0);
+  EXPECT_EQ(only["phases"][0]["reported_force_at_end_N"], 9.0);
+  EXPECT_EQ(only["phases"][1]["reported_torque_at_end_N_m"], -20.0);
   EXPECT_EQ(only["phases"][0]["reported_torque_N_m"]["min"], -9.0);
   EXPECT_NEAR(only["timing"]["tick_us"]["max"].get<double>(), 21.0, 1e-9);
   EXPECT_EQ(only["timing"]["time"], "simulated");
@@ -119,12 +131,13 @@ TEST(SummaryJson, CarriesSettingsPhasesAndTimes) {
 
 TEST(SummaryJson, SaysHowTheRunInRealTimeWent) {
   ExperimentResult result;
+  result.experiment = two_phases();
   result.variants.emplace_back();
   RealtimeReport report;
   report.haptics.add(2e-6, 0.05, 3);
   report.haptic_rights.explanation = "no rights";
   result.variants[0].real_time = report;
-  const auto timing = nlohmann::json::parse(summary_json(two_phases(), result))["variants"][0]["timing"];
+  const auto timing = nlohmann::json::parse(summary_json(result))["variants"][0]["timing"];
   EXPECT_EQ(timing["time"], "real");
   EXPECT_EQ(timing["missed_deadlines"], 3);
   EXPECT_NEAR(timing["model_age_ms"]["max"].get<double>(), 50.0, 1e-9);
