@@ -166,7 +166,18 @@ void add_edges(Polytope& polytope) {
       polytope.face_neighbors[static_cast<size_t>(face.first) + k] = left.at({loop[(k + 1) % loop.size()], loop[k]});
     }
   }
+  std::vector<std::vector<int>> neighbor_edges(polytope.vertices.size());
+  // Both lists of a vertex rise with the other end's index: edges with it as the first end come after all others.
+  for (size_t e = 0; e < polytope.edges.size(); ++e) {
+    neighbor_edges[static_cast<size_t>(polytope.edges[e].vertex[1])].push_back(static_cast<int>(e));
+  }
+  for (size_t e = 0; e < polytope.edges.size(); ++e) {
+    neighbor_edges[static_cast<size_t>(polytope.edges[e].vertex[0])].push_back(static_cast<int>(e));
+  }
   polytope.first_neighbor.push_back(0);
+  for (const auto& list : neighbor_edges) {
+    polytope.neighbor_edges.insert(polytope.neighbor_edges.end(), list.begin(), list.end());
+  }
   for (const auto& list : neighbors) {
     polytope.neighbors.insert(polytope.neighbors.end(), list.begin(), list.end());
     polytope.first_neighbor.push_back(static_cast<int>(polytope.neighbors.size()));

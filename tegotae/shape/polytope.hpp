@@ -29,6 +29,7 @@ struct Polytope {
   std::vector<Edge> edges;
   std::vector<int> first_neighbor;  ///< size vertices + 1: neighbours of v are neighbors[first_neighbor[v] .. [v + 1])
   std::vector<int> neighbors;
+  std::vector<int> neighbor_edges;     ///< beside `neighbors`: the edge to that neighbour
   Vector3 centroid = Vector3::Zero();  ///< of the volume, m; strictly inside
   double radius = 0.0;                 ///< greatest distance of a vertex from the frame's origin, m
 
@@ -40,6 +41,10 @@ struct Polytope {
   }
   std::span<const int> neighbors_of(int vertex) const noexcept {
     return {neighbors.data() + first_neighbor[vertex],
+            static_cast<size_t>(first_neighbor[vertex + 1] - first_neighbor[vertex])};
+  }
+  std::span<const int> edges_of(int vertex) const noexcept {
+    return {neighbor_edges.data() + first_neighbor[vertex],
             static_cast<size_t>(first_neighbor[vertex + 1] - first_neighbor[vertex])};
   }
 };
