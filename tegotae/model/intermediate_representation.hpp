@@ -15,6 +15,11 @@ namespace tegotae {
 inline constexpr int kMaxPlanes = 64;
 inline constexpr int kMaxContactPoints = 1024;
 
+/// Pairs of pieces and moving bodies that a model names for methods that find contacts themselves; beyond, the nearest
+/// are kept and the rest is counted in `dropped_pairs`.
+inline constexpr int kMaxNearPieces = 512;
+inline constexpr int kMaxNearBodies = 64;
+
 /// A near object as the haptic rate sees it: the plane through the object's closest point, its normal the direction of
 /// the closest pair (paper, section 4.2.3).
 struct ContactPlane {
@@ -37,6 +42,23 @@ struct ContactPoint {
   double radius = 0.0;        ///< m: a ball about p_T touches, not p_T itself (round pieces, which roll)
 };
 
+/// Two pieces that may touch before the next model has come.
+struct NearPieces {
+  std::int32_t tool_piece = 0;
+  std::int32_t body = 0;
+  std::int32_t body_piece = 0;
+  std::int32_t near_body = -1;  ///< index in `bodies` of the moving body, -1: static
+  double distance = 0.0;        ///< when the model was made, m; negative: penetration depth
+};
+
+/// A moving body with a piece near the tool.
+struct NearBody {
+  std::int32_t moving_index = -1;
+  PlainPose X_WB;
+  PlainTwist V_WB;    ///< of the centre of mass, world axes
+  PlainVector3 p_WC;  ///< centre of mass, m
+};
+
 /// All that crosses from physics to haptics (paper, section 4.2; Adachi et al. 1995), extended to planes and points.
 /// Trivially copyable, fixed size: the same between threads, processes and machines.
 struct IntermediateRepresentation {
@@ -48,9 +70,17 @@ struct IntermediateRepresentation {
   std::int32_t point_count = 0;
   std::int32_t dropped_planes = 0;
   std::int32_t dropped_points = 0;
+  std::int32_t pair_count = 0;
+  std::int32_t body_count = 0;
+  std::int32_t dropped_pairs = 0;
   std::array<ContactPlane, kMaxPlanes> planes;
   std::array<ContactPoint, kMaxContactPoints> points;
+  std::array<NearPieces, kMaxNearPieces> pairs;  ///< nearest first
+  std::array<NearBody, kMaxNearBodies> bodies;   ///< those that `pairs` refers to, each once
 
+  std::span<const NearPieces> used_pairs() const noexcept {
+    return {pairs.data(), static_cast<std::size_t>(pair_count)};
+  }
   std::span<const ContactPlane> used_planes() const noexcept {
     return {planes.data(), static_cast<std::size_t>(plane_count)};
   }
@@ -59,5 +89,11 @@ struct IntermediateRepresentation {
   }
 };
 static_assert(std::is_trivially_copyable_v<IntermediateRepresentation>);
+
+/// What a rendering method asks of the physics rate. The near pieces and bodies are always there.
+struct ModelNeeds {
+  bool planes_and_points = true;  ///< `planes` and `points` of the model
+  bool about_proxy = false;       ///< near is what is near to where the world lets the tool be, not to where it is held
+};
 
 }  // namespace tegotae

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/math/rotation.hpp>
 #include <tegotae/model/representation_interpolator.hpp>
 
 #include <algorithm>
@@ -24,6 +25,24 @@ void copy_used(const IntermediateRepresentation& from, IntermediateRepresentatio
   to.dropped_points = from.dropped_points;
   std::copy_n(from.planes.begin(), from.plane_count, to.planes.begin());
   std::copy_n(from.points.begin(), from.point_count, to.points.begin());
+  to.pair_count = from.pair_count;
+  to.body_count = from.body_count;
+  to.dropped_pairs = from.dropped_pairs;
+  std::copy_n(from.pairs.begin(), from.pair_count, to.pairs.begin());
+  std::copy_n(from.bodies.begin(), from.body_count, to.bodies.begin());
+}
+
+// Where a body was `duration` (s) before, if it moved as it does now.
+NearBody earlier(const NearBody& body, double duration) noexcept {
+  const Twist V_WB = body.V_WB;
+  const Pose X_WB = body.X_WB;
+  const Vector3 p_WC = body.p_WC;
+  NearBody before = body;
+  const Quaternion turn = rotation_from_vector(-duration * V_WB.angular);
+  const Vector3 p_WC_before = p_WC - duration * V_WB.linear;
+  before.X_WB = Pose{p_WC_before + turn * (X_WB.p - p_WC), (turn * X_WB.q).normalized()};
+  before.p_WC = p_WC_before;
+  return before;
 }
 
 }  // namespace
@@ -33,6 +52,7 @@ void RepresentationInterpolator::accept(const IntermediateRepresentation& model)
   copy_used(model, newest_);
   copy_used(model, between_);
   match();
+  match_bodies();
 }
 
 void RepresentationInterpolator::match() noexcept {
@@ -46,6 +66,33 @@ void RepresentationInterpolator::match() noexcept {
     const bool partner = found != planes.end() && found->n_W.vector().dot(plane.n_W.vector()) > 0.0;
     plane_partner_[static_cast<size_t>(i)] = partner ? static_cast<int>(found - planes.begin()) : -1;
     if (partner) match_points(plane, *found);
+  }
+}
+
+void RepresentationInterpolator::match_bodies() noexcept {
+  for (int i = 0; i < newest_.body_count; ++i) {
+    const NearBody& body = newest_.bodies[static_cast<size_t>(i)];
+    NearBody& before = body_before_[static_cast<size_t>(i)];
+    before = earlier(body, newest_.period);
+    for (int k = 0; k < previous_.body_count; ++k) {
+      const NearBody& candidate = previous_.bodies[static_cast<size_t>(k)];
+      if (candidate.moving_index == body.moving_index) before = candidate;
+    }
+  }
+}
+
+// The centre of mass goes straight, the body turns about it.
+void RepresentationInterpolator::move_bodies(double fraction) noexcept {
+  for (int i = 0; i < newest_.body_count; ++i) {
+    const NearBody& a = body_before_[static_cast<size_t>(i)];
+    const NearBody& b = newest_.bodies[static_cast<size_t>(i)];
+    NearBody& body = between_.bodies[static_cast<size_t>(i)];
+    const Pose X_WB = b.X_WB;
+    const Vector3 p_WC = between(a.p_WC, b.p_WC, fraction);
+    const Vector3 p_CB = X_WB.q.conjugate() * (X_WB.p - b.p_WC.vector());
+    const Quaternion q = a.X_WB.pose().q.slerp(fraction, X_WB.q).normalized();
+    body.p_WC = p_WC;
+    body.X_WB = Pose{p_WC + q * p_CB, q};
   }
 }
 
@@ -80,6 +127,7 @@ const IntermediateRepresentation& RepresentationInterpolator::at(double fraction
     between_.points[static_cast<size_t>(i)].p_T =
         between(previous_.points[static_cast<size_t>(partner)].p_T, newest_.points[static_cast<size_t>(i)].p_T, s);
   }
+  move_bodies(s);
   return between_;
 }
 

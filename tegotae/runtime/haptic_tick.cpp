@@ -15,6 +15,7 @@ HapticTick::HapticTick(RenderingMethod method, const Tool& tool, const SafetyLim
       period_(period),
       dt_(period) {
   state_.X_WT = tool.X_WT;
+  rendered_.X_WP = tool.X_WT;
 }
 
 InterfaceCommand HapticTick::operator()(const InterfaceState& state, const IntermediateRepresentation* fresh,
@@ -111,7 +112,7 @@ void HapticTick::write(const IntermediateRepresentation& model, const Wrench& di
   record.constraints = rendered_.constraint_count;
   record.active = rendered_.active_count;
   record.solver_iterations = rendered_.solver_iterations;
-  record.dropped = model.dropped_planes + model.dropped_points;
+  record.dropped = model.dropped_planes + model.dropped_points + model.dropped_pairs;
   record.status = static_cast<std::uint8_t>(rendered_.status);
 }
 
@@ -120,6 +121,7 @@ void HapticTick::fill(ImpulseSums& message, int body_count) const noexcept {
   message.time = state_.time;
   message.X_WT = state_.X_WT;
   message.V_WT = state_.V_WT;
+  message.X_WP = rendered_.X_WP;
   impulses_.fill(message, body_count);
 }
 

@@ -27,6 +27,7 @@ struct ImpulseSums {
   double time = 0.0;            ///< of the tick, s
   PlainPose X_WT;               ///< pose of the tool
   PlainTwist V_WT;              ///< of the tool frame's origin, world axes
+  PlainPose X_WP;               ///< where the world lets the tool be
   std::int32_t body_count = 0;  ///< bodies[0 .. body_count), by moving_index
   std::array<ImpulseSum, kMaxMovingBodies> bodies;
 };

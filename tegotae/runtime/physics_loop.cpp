@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/model/near_pieces.hpp>
 #include <tegotae/runtime/physics_loop.hpp>
 
 #include <algorithm>
@@ -50,9 +51,10 @@ const SceneGeometry& checked(const SceneGeometry& geometry) {
 
 }  // namespace
 
-PhysicsLoop::PhysicsLoop(World& world, const Settings& settings)
+PhysicsLoop::PhysicsLoop(World& world, const Settings& settings, const ModelNeeds& needs)
     : world_(world),
       settings_(settings),
+      needs_(needs),
       tool_radius_(radius_of(world.geometry().tool)),
       search_(checked(world.geometry())),
       builder_(world.geometry()),
@@ -70,13 +72,24 @@ PhysicsLoop::PhysicsLoop(World& world, const Settings& settings)
 // serves until the next: two periods of motion.
 Reach PhysicsLoop::reach(const ToolState& tool) const {
   const double speed = tool.V_WT.linear.norm() + tool.V_WT.angular.norm() * tool_radius_;
-  return {settings_.margin, 2.0 * settings_.period, std::isfinite(speed) ? speed : 0.0};
+  return {settings_.margin + stretch(tool), 2.0 * settings_.period, std::isfinite(speed) ? speed : 0.0};
+}
+
+// A proxy may come to the interface's pose at once, where what holds it ends.
+double PhysicsLoop::stretch(const ToolState& tool) const {
+  if (!needs_.about_proxy) return 0.0;
+  const Vector6 way = displacement(tool.X_WP, tool.X_WT, Vector3::Zero());
+  const double stretch = way.head<3>().norm() + way.tail<3>().norm() * tool_radius_;
+  return std::isfinite(stretch) ? stretch : 0.0;
 }
 
 void PhysicsLoop::build(double time, const ToolState& tool, IntermediateRepresentation& model) {
   world_.read_bodies(bodies_);
-  const auto pairs = search_.find(tool.X_WT, bodies_, reach(tool));
-  builder_.build(pairs, tool.X_WT, bodies_, model);
+  const Pose& X_WT = needs_.about_proxy ? tool.X_WP : tool.X_WT;
+  const auto pairs = search_.find(X_WT, bodies_, reach(tool));
+  name_near_pieces(world_.geometry(), pairs, bodies_, model);
+  builder_.build(needs_.planes_and_points ? pairs : pairs.first(0), X_WT, bodies_, model);
+  model.near_object_count = static_cast<std::int32_t>(pairs.size());
   model.sequence = ++sequence_;
   model.time = time;
   model.period = settings_.period;
@@ -92,7 +105,7 @@ void PhysicsLoop::refer_impulses_to_bodies() {
 }
 
 void PhysicsLoop::step(double time, const ImpulseSums& haptics, IntermediateRepresentation& model) {
-  const ToolState tool{haptics.X_WT, haptics.V_WT};
+  const ToolState tool{haptics.X_WT, haptics.V_WT, haptics.X_WP};
   differences_.take(haptics, impulses_);
   build(time, tool, model);
   refer_impulses_to_bodies();

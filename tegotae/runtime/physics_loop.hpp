@@ -19,9 +19,10 @@ class PhysicsLoop {
     double margin = 0.002;  ///< m beyond what the speeds ask for (see Reach)
   };
 
+  /// `needs` is what the rendering method asks for (`needs_of`); what it does not ask for is not worked out.
   /// Throws std::invalid_argument if a setting is out of range, the world moves more bodies than kMaxMovingBodies, or
   /// its moving bodies do not have the indices 0 to moving_count - 1, each once.
-  PhysicsLoop(World& world, const Settings& settings);
+  PhysicsLoop(World& world, const Settings& settings, const ModelNeeds& needs = {});
 
   /// The model of the world as it is at `time` (s), the tool as in `tool`, into `model`. Does not move the world.
   void build(double time, const ToolState& tool, IntermediateRepresentation& model);
@@ -36,9 +37,11 @@ class PhysicsLoop {
  private:
   Reach reach(const ToolState& tool) const;
   void refer_impulses_to_bodies();
+  double stretch(const ToolState& tool) const;
 
   World& world_;
   Settings settings_;
+  ModelNeeds needs_;
   double tool_radius_ = 0.0;  ///< m: greatest distance of a tool point from the tool frame's origin
   NearObjectSearch search_;
   RepresentationBuilder builder_;

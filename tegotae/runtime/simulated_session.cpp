@@ -52,10 +52,11 @@ void run_simulated(PhysicsLoop& physics, HapticTick& haptics, HapticInterface& i
   InterfaceState state;
   InterfaceStatus read = interface.read(0.0, state);
   InterfaceStatus written = InterfaceStatus::kOk;
-  SimulatedPhysics simulated(physics, {state.X_WT, state.V_WT});
+  SimulatedPhysics simulated(physics, {state.X_WT, state.V_WT, state.X_WT});
   auto message = std::make_unique<ImpulseSums>();
   message->X_WT = state.X_WT;
   message->V_WT = state.V_WT;
+  message->X_WP = state.X_WT;
 
   const long ticks = static_cast<long>(std::floor(duration / haptic_period * (1.0 + 1e-12))) + 1;
   for (long tick = 0; tick < ticks; ++tick) {

@@ -12,6 +12,11 @@ namespace tegotae {
 struct ToolState {
   Pose X_WT;
   Twist V_WT;  ///< of the tool frame's origin, world axes
+  Pose X_WP;   ///< where the world lets the tool be
+
+  ToolState() = default;
+  ToolState(const Pose& tool, const Twist& velocity) : ToolState(tool, velocity, tool) {}
+  ToolState(const Pose& tool, const Twist& velocity, const Pose& proxy) : X_WT(tool), V_WT(velocity), X_WP(proxy) {}
 };
 
 /// Impulse given to one moving body over a physics step.
