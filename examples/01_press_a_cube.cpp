@@ -20,7 +20,7 @@ int main() {
   MethodSettings settings;
   settings.stiffness = 9000.0;                 // N/m
   PhysicsLoop physics(*world, {0.05, 0.002});  // 20 Hz, 2 mm of margin
-  HapticTick haptics(make_method("paper", settings, tool), tool, SafetyLimits{}, 0.001);
+  HapticTick haptics(make_method("paper", settings, world->geometry()), tool, SafetyLimits{}, 0.001);
 
   double last = 0.0;
   run_simulated(physics, haptics, hand, 0.001, 1.0, [&last](const TickRecord& tick) {

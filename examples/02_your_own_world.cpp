@@ -27,7 +27,7 @@ int main() {
   TwoBoxes world;
   const Tool& tool = world.geometry().tool;
   PhysicsLoop physics(world, {0.01, 0.002});  // your loop, at its rate
-  HapticTick haptics(make_method("paper", {}, tool), tool, SafetyLimits{}, 0.001);
+  HapticTick haptics(make_method("paper", {}, world.geometry()), tool, SafetyLimits{}, 0.001);
   const auto model = std::make_unique<IntermediateRepresentation>();
   InterfaceState hand;
   hand.X_WT.p = Vector3(0.1195, 0.0, 0.05);  // 0.5 mm into the wall

@@ -52,7 +52,7 @@ void haptic_tick(benchmark::State& state, const std::string& scene, ConstraintSe
     settings.stiffness = 9000.0;
     settings.constraint_set = set;
     PhysicsLoop physics(*world, {0.05, 0.002});
-    HapticTick haptics(make_method("paper", settings, tool), tool, SafetyLimits{}, 1e-3);
+    HapticTick haptics(make_method("paper", settings, world->geometry()), tool, SafetyLimits{}, 1e-3);
     PlaybackInterface hand(press_and_roll(tool.X_WT, touch_height(tool), 3e-4));
     double total = 0.0;
     run_simulated(physics, haptics, hand, 1e-3, kDuration, [&](const TickRecord& record) {

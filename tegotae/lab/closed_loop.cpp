@@ -3,6 +3,7 @@
 #include <tegotae/lab/static_world.hpp>
 
 #include <memory>
+#include <utility>
 
 namespace tegotae {
 
@@ -23,9 +24,9 @@ void run_closed_loop(const SceneGeometry& scene, const SessionSettings& settings
   StaticWorld world(scene);
   const Tool& tool = world.geometry().tool;
   const double period = 1.0 / settings.haptic_rate;
-  PhysicsLoop physics(world, {1.0 / settings.physics_rate, settings.margin});
-  const auto haptics =
-      std::make_unique<HapticTick>(settings.make_method(tool), tool, no_safety_limits(settings), period);
+  RenderingMethod method = settings.make_method(world.geometry());
+  PhysicsLoop physics(world, {1.0 / settings.physics_rate, settings.margin}, needs_of(method));
+  const auto haptics = std::make_unique<HapticTick>(std::move(method), tool, no_safety_limits(settings), period);
   run_simulated(physics, *haptics, interface, period, duration, observer);
 }
 

@@ -27,7 +27,8 @@ Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const Se
       start_(motion.start()),
       duration_(motion.end() - motion.start()),
       interface_(std::move(motion)),
-      physics_(*world_, {1.0 / settings.physics_rate, settings.margin}) {
+      physics_(*world_, {1.0 / settings.physics_rate, settings.margin},
+               needs_of(settings.make_method(world_->geometry()))) {
   if (duration_ * settings_.haptic_rate > tolerance::kMaxTicks) {
     throw InputError(
         fmt::format("the motion lasts {:g} s, which is {:g} ticks at {:g} Hz; at most {:g} are rendered: "
@@ -35,7 +36,7 @@ Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const Se
                     duration_, duration_ * settings_.haptic_rate, settings_.haptic_rate, tolerance::kMaxTicks));
   }
   haptics_ =
-      std::make_unique<HapticTick>(settings_.make_method(tool()), tool(),
+      std::make_unique<HapticTick>(settings_.make_method(world_->geometry()), tool(),
                                    limits_of(settings_, interface_.capability(), tool()), 1.0 / settings_.haptic_rate);
 }
 

@@ -89,13 +89,13 @@ SessionSettings decide_settings(const SettingsRequest& request, const Tool& tool
   return settings;
 }
 
-RenderingMethod SessionSettings::make_method(const Tool& tool) const {
+RenderingMethod SessionSettings::make_method(const SceneGeometry& geometry) const {
   MethodSettings of_method;
   of_method.stiffness = stiffness;
   of_method.damping = damping;
   of_method.metric_length = metric_length;
   of_method.constraint_set = constraint_set;
-  return tegotae::make_method(method, of_method, tool);
+  return tegotae::make_method(method, of_method, geometry);
 }
 
 std::vector<std::string> SessionSettings::lines() const {

@@ -38,7 +38,7 @@ struct SessionSettings {
   double haptic_rate = 1000.0;  ///< Hz
   double margin = 0.002;        ///< m, of the search for near objects, beyond what the speeds ask for
 
-  RenderingMethod make_method(const Tool& tool) const;
+  RenderingMethod make_method(const SceneGeometry& geometry) const;
 
   /// One "name: value unit" a setting, for people and for comments in files.
   std::vector<std::string> lines() const;

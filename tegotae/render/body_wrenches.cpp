@@ -11,21 +11,27 @@ void BodyWrenches::clear() noexcept {
   static_bodies_ = {};
 }
 
-BodyWrench* BodyWrenches::find_or_add(const ContactPlane& plane) noexcept {
-  if (plane.moving_index < 0) return &static_bodies_;
+BodyWrench* BodyWrenches::find_or_add(int moving_index, const Vector3& p_WC) noexcept {
+  if (moving_index < 0) return &static_bodies_;
   for (int i = 0; i < count_; ++i) {
-    if (bodies_[static_cast<size_t>(i)].moving_index == plane.moving_index) return &bodies_[static_cast<size_t>(i)];
+    if (bodies_[static_cast<size_t>(i)].moving_index == moving_index) return &bodies_[static_cast<size_t>(i)];
   }
-  // There are never more bodies than planes, and as many places as planes.
+  // There are never more bodies than planes or near bodies, and as many places.
+  static_assert(kMaxNearBodies <= kMaxPlanes);
   BodyWrench& added = bodies_[static_cast<size_t>(count_++)];
-  added = {plane.moving_index, plane.p_WC, {}};
+  added = {moving_index, p_WC, {}};
   return &added;
 }
 
 void BodyWrenches::add(const ContactPlane& plane, const Vector3& p_W, const Vector3& force) noexcept {
-  BodyWrench* body = find_or_add(plane);
+  add(plane.moving_index, plane.p_WC, p_W, force, Vector3::Zero());
+}
+
+void BodyWrenches::add(int moving_index, const Vector3& p_WC, const Vector3& p_W, const Vector3& force,
+                       const Vector3& torque) noexcept {
+  BodyWrench* body = find_or_add(moving_index, p_WC);
   body->on_body.force += force;
-  body->on_body.torque += (p_W - body->p_WC).cross(force);
+  body->on_body.torque += (p_W - body->p_WC).cross(force) + torque;
 }
 
 void BodyWrenches::share(const Wrench& displayed, const Vector3& centre_W, double length) noexcept {

@@ -24,6 +24,10 @@ class BodyWrenches {
   /// Adds `force` (N, on the body) at the world point `p_W`, for the body of `plane`.
   void add(const ContactPlane& plane, const Vector3& p_W, const Vector3& force) noexcept;
 
+  /// The same for the body `moving_index` (-1: static) with centre of mass `p_WC` (m), and a torque (N m).
+  void add(int moving_index, const Vector3& p_WC, const Vector3& p_W, const Vector3& force,
+           const Vector3& torque) noexcept;
+
   /// The bodies receive what was displayed, not what was computed: all pushes times the one factor that brings the
   /// opposite of their sum nearest to the displayed wrench on the tool (about `centre_W`), torques compared with forces
   /// at `length` (m). Nothing displayed: nothing received. A body is pushed with no more than
@@ -37,7 +41,7 @@ class BodyWrenches {
   std::span<const BodyWrench> moving() const noexcept { return {bodies_.data(), static_cast<std::size_t>(count_)}; }
 
  private:
-  BodyWrench* find_or_add(const ContactPlane& plane) noexcept;
+  BodyWrench* find_or_add(int moving_index, const Vector3& p_WC) noexcept;
 
   std::array<BodyWrench, kMaxPlanes> bodies_;
   int count_ = 0;

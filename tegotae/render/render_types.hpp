@@ -35,7 +35,9 @@ struct RenderOutput {
   int constraint_count = 0;  ///< rows given to the solver
   int active_count = 0;      ///< rows that push
   int solver_iterations = 0;
-  double deepest = 0.0;  ///< greatest penetration of a contact point at the interface's pose, m
+  int linearisations = 0;  ///< of methods that refresh contacts within a tick
+  int skipped_pairs = 0;   ///< pairs, points and rows that capacities or the budget of a tick left out
+  double deepest = 0.0;    ///< greatest penetration of a contact point at the interface's pose, m
   RenderStatus status = RenderStatus::kOk;
 };
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr MethodName kMethods[] = {
     {"paper", "Susu and Hasegawa: least displacement that frees the penetrating contact points"},
+    {"proxy", "where the tool may be, contacts refreshed at the haptic rate, with friction"},
     {"adachi", "Adachi, Kumano and Ogino: one point and one plane, force only"},
     {"berkelman", "Berkelman and Hollis: a spring at each penetrating contact point, summed"},
     {"otaduy-lin", "Otaduy and Lin: tool with mass, penalty contact, implicit integration, virtual coupling"},
@@ -43,6 +44,31 @@ Coupling make_coupling(const MethodSettings& settings, double default_metric_len
   throw std::invalid_argument("there is no method '" + std::string(name) + "'; there are: " + names);
 }
 
+ProxyMethod::Parameters proxy_parameters(const MethodSettings& settings, const Tool& tool) {
+  constexpr double kMaxFriction = 10.0, kMaxViscous = 1e4, kMaxGravity = 1e3;
+  require_range("friction scale", settings.friction_scale, 0.0, kMaxFriction, "");
+  if (settings.friction) require_range("friction", *settings.friction, 0.0, kMaxFriction, "");
+  require_range("kinetic friction", settings.kinetic_friction, 0.0, 1.0, "of the static");
+  require_range("viscous friction", settings.viscous_friction, 0.0, kMaxViscous, "N s/m");
+  require_range("contact margin", settings.contact_margin, 1e-5, 0.1, "m");
+  require_range("gravity", settings.gravity.norm(), 0.0, kMaxGravity, "m/s^2");
+  require_range("transient amplitude", settings.transient.amplitude, 0.0, kMaxDamping, "N s/m");
+  require_range("transient frequency", settings.transient.frequency, 1.0, 1e3, "Hz");
+  require_range("transient decay", settings.transient.decay, 1.0, 1e4, "1/s");
+  ProxyMethod::Parameters parameters;
+  parameters.coupling = make_coupling(settings, default_metric_length("proxy", tool));
+  parameters.margin = settings.contact_margin;
+  parameters.friction = settings.friction;
+  parameters.friction_scale = settings.friction_scale;
+  parameters.kinetic_friction = settings.kinetic_friction;
+  parameters.viscous_friction = settings.viscous_friction;
+  parameters.weight = settings.tool_weight;
+  parameters.inertia = settings.tool_inertia;
+  parameters.gravity = settings.gravity;
+  parameters.transient = settings.transient;
+  return parameters;
+}
+
 }  // namespace
 
 std::span<const MethodName> method_names() noexcept { return kMethods; }
@@ -52,9 +78,11 @@ double default_metric_length(std::string_view name, const Tool& tool) {
   return name == "paper" ? kPaperMetricLength : tool.mass.gyration_length();
 }
 
-RenderingMethod make_method(std::string_view name, const MethodSettings& settings, const Tool& tool) {
+RenderingMethod make_method(std::string_view name, const MethodSettings& settings, const SceneGeometry& geometry) {
+  const Tool& tool = geometry.tool;
   const auto is_known = [name](const MethodName& method) { return method.name == name; };
   if (std::none_of(std::begin(kMethods), std::end(kMethods), is_known)) throw_unknown(name);
+  if (name == "proxy") return ProxyMethod(proxy_parameters(settings, tool), geometry);
   const Coupling coupling = make_coupling(settings, default_metric_length(name, tool));
   const Vector3& p_TCm = tool.mass.centre_of_mass;
   if (name == "adachi") return AdachiMethod(coupling, p_TCm);
@@ -62,6 +90,10 @@ RenderingMethod make_method(std::string_view name, const MethodSettings& setting
   if (name == "otaduy-lin") return OtaduyLinMethod({coupling}, tool.mass);
   if (name == "ortega") return OrtegaMethod(coupling, tool.mass);
   return PaperMethod({coupling, settings.constraint_set}, p_TCm);
+}
+
+ModelNeeds needs_of(const RenderingMethod& method) noexcept {
+  return std::holds_alternative<ProxyMethod>(method) ? ProxyMethod::needs() : ModelNeeds{};
 }
 
 }  // namespace tegotae

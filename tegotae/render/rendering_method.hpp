@@ -7,6 +7,7 @@
 #include <tegotae/render/ortega_method.hpp>
 #include <tegotae/render/otaduy_lin_method.hpp>
 #include <tegotae/render/paper_method.hpp>
+#include <tegotae/render/proxy_method.hpp>
 
 #include <optional>
 #include <span>
@@ -16,7 +17,8 @@
 namespace tegotae {
 
 /// Any of the methods. They share a port, not a base class: `render(RenderInput, RenderOutput&) noexcept`, `reset()`.
-using RenderingMethod = std::variant<PaperMethod, AdachiMethod, BerkelmanMethod, OtaduyLinMethod, OrtegaMethod>;
+using RenderingMethod =
+    std::variant<PaperMethod, ProxyMethod, AdachiMethod, BerkelmanMethod, OtaduyLinMethod, OrtegaMethod>;
 
 /// What a user may set of a method.
 struct MethodSettings {
@@ -25,6 +27,17 @@ struct MethodSettings {
   /// m, > 0. Not set: `default_metric_length`.
   std::optional<double> metric_length;
   ConstraintSet constraint_set = ConstraintSet::kPenetratingPoints;  ///< of `paper`
+
+  // Of `proxy`.
+  double friction_scale = 1.0;             ///< of the scene's coefficients of sliding, >= 0
+  std::optional<double> friction;          ///< one Coulomb coefficient for all pairs in place of the scene's, >= 0
+  double kinetic_friction = 1.0;           ///< while slipping, as a part of the coefficient, 0 to 1
+  double viscous_friction = 0.0;           ///< N s/m, >= 0
+  double contact_margin = 1e-3;            ///< m that one linearisation may move the tool, > 0
+  bool tool_weight = false;                ///< the tool's own weight is felt
+  bool tool_inertia = false;               ///< the tool's own inertia is felt
+  Vector3 gravity{0.0, 0.0, -9.81};        ///< m/s^2, for the tool's weight
+  ContactTransient::Parameters transient;  ///< off by default
 };
 
 /// A name that `make_method` knows, and a sentence on the method for listings.
@@ -38,9 +51,13 @@ std::span<const MethodName> method_names() noexcept;
 /// translation and rotation one stiffness; the tool's gyration length for every other.
 double default_metric_length(std::string_view name, const Tool& tool);
 
-/// Makes the method called `name` for `tool`. Throws std::invalid_argument, with the names or the range permitted, if
-/// there is none of that name or a setting is out of range. Allocates.
-RenderingMethod make_method(std::string_view name, const MethodSettings& settings, const Tool& tool);
+/// Makes the method called `name` for the tool and the bodies of `geometry`, which must outlive it. Throws
+/// std::invalid_argument, with the names or the range permitted, if there is none of that name or a setting is out of
+/// range. Allocates.
+RenderingMethod make_method(std::string_view name, const MethodSettings& settings, const SceneGeometry& geometry);
+
+/// What the method asks of the physics rate.
+ModelNeeds needs_of(const RenderingMethod& method) noexcept;
 
 // std::visit throws where the variant holds nothing, which it never does: methods are moved in whole.
 // NOLINTNEXTLINE(bugprone-exception-escape)

@@ -42,4 +42,47 @@ inline constexpr double kCompromise = 0.01;
 /// Share of the slope at its start at which a line search ends: the direction is renewed anyway, so more is wasted.
 inline constexpr double kLineSearchSlope = 1e-2;
 
+/// m. Distance that the proxy keeps from the world, so that the closest pair has a direction. Times the stiffness it is
+/// the force felt too early: where that would exceed `kSkinForce` the skin is thinner.
+inline constexpr double kSkin = 2e-6;
+
+/// N. The least force that a hand feels.
+inline constexpr double kSkinForce = 0.04;
+
+/// m. A step that moves no point of the tool further ends a tick: at 9000 N/m it is 3 mN.
+inline constexpr double kSettledStep = 0.3e-6;
+
+/// N. A friction limit that changed by less since the last linearisation does not ask for another one: half the least
+/// force that a hand feels.
+inline constexpr double kSettledLoad = 0.02;
+
+/// m. Least margin of a linearisation: a hand at rest trembles by less in a millisecond.
+inline constexpr double kLeastMargin = 20e-6;
+
+/// How many times the hand's way in a tick the first linearisation of the tick may move the tool. Where that does not
+/// suffice the margin of the next one grows.
+inline constexpr double kMarginOfWay = 1.25;
+
+/// The factor by which it grows.
+inline constexpr double kMarginGrowth = 5.0;
+
+/// Linearisations of a tick: faces need one, edges on edges and the way over an edge two to four.
+inline constexpr int kLinearisations = 4;
+
+/// Halvings of a step that the geometry refuses, before the tool stays where it is.
+inline constexpr int kHalvings = 8;
+
+/// m/s at which a tool that is inside something is brought out: at 9000 N/m the force rises by 0.09 N a millisecond.
+inline constexpr double kPushOutSpeed = 0.01;
+
+/// m. What a pair between opposed walls may be deeper than the linear model says.
+inline constexpr double kGuardSlack = 1e-7;
+
+/// Compliance of a friction bristle, relative to the coupling's own 1/k: under the force that stretches the coupling by
+/// 3 mm the tool creeps by 30 nm before it slips.
+inline constexpr double kBristleCompliance = 1e-5;
+
+/// Distance queries that one tick may ask for refreshing pairs: at half a microsecond each a tenth of a tick.
+inline constexpr int kDistanceBudget = 200;
+
 }  // namespace tegotae::tolerance

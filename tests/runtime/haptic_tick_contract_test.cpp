@@ -30,7 +30,7 @@ class BusyTick {
  public:
   explicit BusyTick(const char* method) : world_(scene()), physics_(world_, {0.05, 0.01}) {
     const Tool& tool = world_.geometry().tool;
-    haptics_ = std::make_unique<HapticTick>(make_method(method, {}, tool), tool, SafetyLimits{}, 1e-3);
+    haptics_ = std::make_unique<HapticTick>(make_method(method, {}, world_.geometry()), tool, SafetyLimits{}, 1e-3);
     for (int i = 0; i < 3; ++i) physics_.build(0.0, {pose(0.1 * i), {}}, models_[i]);
   }
 

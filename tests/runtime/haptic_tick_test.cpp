@@ -25,8 +25,8 @@ struct Rig {
     limits.force_rate = limits.torque_rate = 1e9;
     MethodSettings settings;
     settings.stiffness = 9000.0;
-    tick = std::make_unique<HapticTick>(make_method("paper", settings, world.geometry().tool), world.geometry().tool,
-                                        limits, kPeriod);
+    tick = std::make_unique<HapticTick>(make_method("paper", settings, world.geometry()), world.geometry().tool, limits,
+                                        kPeriod);
   }
 
   void make_model(double time, const Pose& X_WT) { physics.build(time, {X_WT, {}}, *model); }

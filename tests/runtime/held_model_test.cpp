@@ -24,7 +24,7 @@ double greatest_step(std::string_view method, double& last) {
   const Tool& tool = world.geometry().tool;
   MethodSettings settings;
   settings.stiffness = 9000.0;
-  HapticTick tick(make_method(method, settings, tool), tool, limits, kPeriod);
+  HapticTick tick(make_method(method, settings, world.geometry()), tool, limits, kPeriod);
   const Pose held{{0.0, 0.1, 0.0}, Quaternion::Identity()};
   auto model = std::make_unique<IntermediateRepresentation>();
   TickRecord record;
@@ -59,10 +59,10 @@ TEST(HeldModel, TheEarlierMethodsStepWithThePhysicsWhereThePaperInterpolates) {
 }
 
 TEST(HeldModel, OnlyMethodsThatSayItHoldTheirModel) {
-  const Tool tool = testing::cube_over_floor().tool;
-  EXPECT_FALSE(holds_model(make_method("paper", {}, tool)));
+  const SceneGeometry scene = testing::cube_over_floor();
+  EXPECT_FALSE(holds_model(make_method("paper", {}, scene)));
   for (const char* name : {"adachi", "berkelman", "otaduy-lin", "ortega"}) {
-    EXPECT_TRUE(holds_model(make_method(name, {}, tool))) << name;
+    EXPECT_TRUE(holds_model(make_method(name, {}, scene))) << name;
   }
 }
 

@@ -56,7 +56,7 @@ struct Rig {
   explicit Rig(double physics_period = 0.01)
       : world(scene_with_a_loose_block(), 1000.0), physics(world, {physics_period, 0.005}) {
     const Tool& tool = world.geometry().tool;
-    haptics = std::make_unique<HapticTick>(make_method("paper", {}, tool), tool, SafetyLimits{}, 1e-3);
+    haptics = std::make_unique<HapticTick>(make_method("paper", {}, world.geometry()), tool, SafetyLimits{}, 1e-3);
   }
 
   RealtimeReport run(double duration, const RealtimeObserver& observer) {
@@ -131,7 +131,7 @@ TEST(RealtimeSession, WhenPhysicsFailsTheWrenchFadesAndTheReportSaysWhy) {
   SafetyLimits limits;
   limits.max_model_age = 0.05;
   const Tool& tool = world.geometry().tool;
-  HapticTick haptics(make_method("paper", {}, tool), tool, limits, 1e-3);
+  HapticTick haptics(make_method("paper", {}, world.geometry()), tool, limits, 1e-3);
   SwayingHand hand;
   std::atomic<bool> stop{false};
   TickRecord last;
