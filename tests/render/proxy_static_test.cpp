@@ -54,6 +54,30 @@ TEST(ProxyStatic, AnEdgeIsFeltAsTheClosedFormSays) {
   }
 }
 
+// The paper's motion: in contact at constant depth the cube turns from its edge to its face, in one go. Without
+// friction the force is that of the edge's lever arm, and the torque turns the cube back towards where it rests.
+TEST(ProxyStatic, ACubeTurnedFromItsEdgeToItsFaceFollowsTheClosedForm) {
+  const double depth = 0.35e-3;
+  for (const double metric_length : {1.0, 2.0 * kHalf / std::sqrt(6.0)}) {
+    ProxyRig rig = cube_on_floor();
+    rig.parameters.coupling.metric_length = metric_length;
+    const auto pose = [depth](double angle, double lift) {
+      const double height = kHalf * (std::cos(angle) + std::sin(angle));
+      return at({0.0, 0.0, height - depth + lift}, {angle, 0.0, 0.0});
+    };
+    const double start = std::numbers::pi / 4.0;
+    for (int i = 0; i <= 10; ++i) rig.tick(pose(start, 1e-3 * (1.0 - 0.1 * i)));
+    for (double angle = start; angle > 0.03; angle -= 4e-4) {
+      const Wrench& wrench = rig.tick(pose(angle, 0.0));
+      const double lever = kHalf * (std::cos(angle) - std::sin(angle));
+      const double force = ProxyRig::kStiffness * (depth + 2e-6) / (1.0 + std::pow(lever / metric_length, 2));
+      ASSERT_NEAR(wrench.force.z(), force, 0.01 * force) << angle;
+      // The edge is at y = -lever from the centre: r x f about x is -lever f.
+      ASSERT_NEAR(wrench.torque.x(), -lever * force, 0.01 * kHalf * force) << angle;
+    }
+  }
+}
+
 TEST(ProxyStatic, AnOverhangingPlateHasTheTorqueOfThePillarsEdgeAtEveryMargin) {
   // The plate's centre is 20 mm beyond the pillar's edge: it is held by that edge alone.
   double force[3], torque[3];
