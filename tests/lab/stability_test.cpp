@@ -35,11 +35,6 @@ StabilityRow measured(const StabilitySetup& setup, const char* contact) {
   return measure_stability(setup, touched_feature(contact), [](double) {});
 }
 
-bool is_there(const std::string& method) {
-  const auto names = method_names();
-  return std::any_of(names.begin(), names.end(), [&](const MethodName& each) { return each.name == method; });
-}
-
 TEST(CubeTouch, BeginsAboveTheFloorAndPressesTheFeatureIntoIt) {
   const Tool tool = cube_over_floor().tool;
   for (const double friction : {0.0, 0.26}) {
@@ -108,14 +103,12 @@ TEST(Stability, FrictionOfTheInterfaceRaisesTheLimitAndTheHandStillTouches) {
 }
 
 TEST(Stability, SpringsAtEachPointFallToAQuarterAtAFace) {
-  if (!is_there("berkelman")) GTEST_SKIP() << "the method is not built";
   const double face = measured(setup_of("berkelman"), "face").ratio_to_linear();
   EXPECT_NEAR(face, 0.25, 0.05);
   EXPECT_GT(measured(setup_of("paper"), "face").ratio_to_linear(), 3.5 * face);
 }
 
 TEST(Stability, TheProxyReachesTheBoundAtEveryContact) {
-  if (!is_there("proxy")) GTEST_SKIP() << "the method is not built";
   for (const char* contact : {"vertex", "edge", "face"}) {
     EXPECT_GE(measured(setup_of("proxy"), contact).ratio_to_linear(), 0.95) << contact;
   }
