@@ -43,12 +43,12 @@ inline constexpr double kOnPlane = 1e-11;
 /// m. Vertices of an intersection nearer to each other than this are one. At 9000 N/m it is 9e-6 N.
 inline constexpr double kSameVertex = 1e-9;
 
-/// Sine of the angle to the direction of projection below which a face stands upright and has no surface to be seen: over
-/// a margin of 20 mm it would be 2e-8 m wide.
+/// Sine of the angle to the direction of projection below which a face stands upright and has no surface to be seen:
+/// over a margin of 20 mm it would be 2e-8 m wide.
 inline constexpr double kUpright = 1e-6;
 
-/// m. A point so little outside a surface's outline, seen along the direction of projection, is still over it; crossings
-/// of edges nearer than half of it to a vertex are that vertex.
+/// m. A point so little outside a surface's outline, seen along the direction of projection, is still over it;
+/// crossings of edges nearer than half of it to a vertex are that vertex.
 inline constexpr double kOutline = 2e-9;
 
 }  // namespace tegotae::tolerances
