@@ -15,15 +15,15 @@ using Columns = std::vector<Column>;
 constexpr const char* kMeanings[] = {
     "t: time of the trajectory",
     "x to qz: pose of the tool's frame where the hand holds it, in the world",
-    "fx to tz: the method's wrench on the interface before the safety stage, world axes, torque about the tool's "
-    "centre of mass",
+    "fx to tz: the method's wrench on the interface before the safety stage, world axes",
+    "tx to tz: torque about the tool's centre of mass",
     "dfx to dtz: the displayed wrench, after the safety stage, same axes and point",
     "px to pqz: pose of the tool's frame where the world lets it be",
     "near_objects: bodies with a piece within reach; planes, contact_points: of the model",
     "constraints: contact points given to the solver; active: those of them that push",
     "status: 0 ok, 1 no model yet, 2 iteration limit, 3 infeasible, 4 invalid input",
-    "safety_events: sum of 1 not finite, 2 ramping, 4 rate limited, 8 force saturated, 16 torque saturated, "
-    "32 physics late, 64 stopped",
+    "safety_events, a sum: 1 not finite, 2 ramping, 4 rate limited, 8 force and 16 torque saturated",
+    "safety_events, further: 32 physics late, 64 stopped",
     "deepest: greatest penetration of a contact point where the hand holds the tool",
     "model_age: since the world state that the model was made from; model_sequence: number of the model",
     "dropped: planes and points beyond the model's capacity",

@@ -38,7 +38,7 @@ std::filesystem::path find_scene(std::string_view name) {
   std::string searched;
   for (const std::filesystem::path& folder : scene_folders()) {
     std::error_code error;
-    const std::filesystem::path file = folder / name;
+    std::filesystem::path file = folder / name;
     if (std::filesystem::is_regular_file(file, error)) return file;
     searched.append(searched.empty() ? "" : " nor in ").append(folder.string());
   }

@@ -98,7 +98,7 @@ SettingsRequest settings_of(const HapticSettingsInScene& scene, const std::files
       {"tegotae_physics_rate", &SettingsRequest::physics_rate},
       {"tegotae_haptic_rate", &SettingsRequest::haptic_rate},
   };
-  const SettingsRequest request = settings_of(scene);
+  SettingsRequest request = settings_of(scene);
   for (const auto& [name, member] : kSettings) {
     SettingsRequest alone;
     alone.*member = request.*member;

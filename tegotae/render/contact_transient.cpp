@@ -15,7 +15,7 @@ void ContactTransient::strike(const Vector3& n_W, double speed) noexcept {
 Vector3 ContactTransient::advance(double dt) noexcept {
   if (!(parameters_.amplitude * speed_ > 0.0)) return Vector3::Zero();
   const double envelope = parameters_.amplitude * speed_ * std::exp(-parameters_.decay * elapsed_);
-  const Vector3 force = envelope * std::sin(2.0 * std::numbers::pi * parameters_.frequency * elapsed_) * n_W_;
+  Vector3 force = envelope * std::sin(2.0 * std::numbers::pi * parameters_.frequency * elapsed_) * n_W_;
   elapsed_ += dt;
   return force;
 }
