@@ -146,7 +146,8 @@ TEST(RepresentationBuilder, BeyondTheCapacityTheNearestStayAndTheRestIsCounted) 
   for (int i = 0; i < 100; ++i) {
     Body pillar;
     pillar.pieces = {make_box(Vector3(0.005, 0.1, 0.005))};
-    pillar.X_WB.p = Vector3(0.02 * (i % 10 - 4.5), -0.1 - 1e-5 * i, 0.02 * (i / 10 - 4.5));
+    const int row = i / 10;
+    pillar.X_WB.p = Vector3(0.02 * (i % 10 - 4.5), -0.1 - 1e-5 * i, 0.02 * (row - 4.5));
     scene.bodies.push_back(pillar);
   }
   Chain chain(std::move(scene));

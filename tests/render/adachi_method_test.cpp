@@ -138,7 +138,7 @@ TEST(AdachiMethod, RenderingAllocatesNothing) {
   RenderOutput output;
   const testing::AllocationCounter counter;
   for (int i = 0; i < 100; ++i) {
-    model->sequence = static_cast<std::uint64_t>(1 + i / 10);
+    model->sequence = 1 + static_cast<std::uint64_t>(i) / 10;
     adachi.render({*model, cube_pose(0.01 * i, 0.0995), kTick}, output);
   }
   EXPECT_EQ(counter.count(), 0u);
