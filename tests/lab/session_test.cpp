@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/experiment_run.hpp>
+#include <tegotae/lab/input_error.hpp>
+#include <tests/lab/cube_session.hpp>
+#include <tests/lab/samples_table.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+#include <vector>
+
+namespace tegotae {
+namespace {
+
+Session cube_session(Trajectory motion) {
+  auto world = load_mujoco_world(TEGOTAE_SCENES "/paper-cube.xml", "tool");
+  const SessionSettings settings = decide_settings(settings_of(world->haptic_settings()), world->geometry().tool);
+  return {std::move(world), std::move(motion), settings};
+}
+
+Trajectory pressed(double duration) {
+  return cube_motion(
+      duration, [](double) { return kHalfEdge - 0.3e-3; }, [](double) { return 0.0; });
+}
+
+TEST(Session, TakesTheSettingsOfTheScene) {
+  const Session session = cube_session(pressed(0.1));
+  EXPECT_EQ(session.settings().stiffness, kStiffness);
+  EXPECT_EQ(session.settings().physics_rate, 20.0);
+  EXPECT_EQ(session.settings().metric_length, 1.0);
+  EXPECT_THAT(session.notes(), testing::IsSupersetOf({"tool: tool", "centre of mass in the tool's frame: 0 0 0 m"}));
+}
+
+TEST(Session, TellsItsProgressInOrder) {
+  Session session = cube_session(pressed(3.5));
+  std::vector<double> parts;
+  session.run_simulated([](const TickRecord&) { return true; }, [&](double part) { parts.push_back(part); });
+  ASSERT_EQ(parts.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+  EXPECT_LE(parts.back(), 1.0);
+  EXPECT_EQ(session.trouble(), "");
+}
+
+TEST(Session, EndsWhereTheObserverSaysSo) {
+  Session session = cube_session(pressed(1.0));
+  int ticks = 0;
+  session.run_simulated([&](const TickRecord&) { return ++ticks < 10; }, [](double) {});
+  EXPECT_EQ(ticks, 10);
+}
+
+TEST(Session, RefusesAMotionWhoseTimeIsNotInSeconds) {
+  const auto make = [] { cube_session(Trajectory({{0.0, Pose{}}, {1e9, Pose{}}})); };
+  EXPECT_THAT(make, testing::ThrowsMessage<InputError>(testing::HasSubstr("seconds")));
+}
+
+TEST(Session, DisplaysTheSameForceInRealTime) {
+  Session session = cube_session(pressed(0.5));
+  std::vector<TickRecord> records;
+  const std::atomic<bool> stop{false};
+  const RealtimeReport report = session.run_realtime(
+      [&](const TickRecord& record) {
+        records.push_back(record);
+        return true;
+      },
+      [](double) {}, stop);
+  ASSERT_FALSE(records.empty());
+  EXPECT_EQ(report.physics_error, "");
+  EXPECT_EQ(report.haptics.count(), records.size() + report.dropped_records);
+  for (const TickRecord& record : records) {
+    ASSERT_NEAR(record.wrench.force.y, kStiffness * 0.3e-3, 1e-3);
+    ASSERT_LT(record.wrench.torque.vector().norm(), 1e-9);
+  }
+}
+
+TEST(Session, InRealTimeStopsWhenTold) {
+  Session session = cube_session(pressed(1000.0));
+  std::atomic<bool> stop{false};
+  double last = 0.0;
+  session.run_realtime(
+      [&](const TickRecord& record) {
+        last = record.time;
+        stop.store(true);
+        return true;
+      },
+      [](double) {}, stop);
+  EXPECT_LT(last, 1000.0);
+}
+
+TEST(ExperimentRun, InRealTimeKeepsTheReportAndTheSamples) {
+  Experiment experiment = find_experiment("paper-cube");
+  experiment.motion = [](const Tool&) { return pressed(0.3); };
+  const TemporaryFolder folder;
+  ExperimentRequest request;
+  request.folder = folder.path();
+  request.real_time = true;
+  const ExperimentResult result = run_experiment(experiment, request, [](double) {});
+  ASSERT_EQ(result.variants.size(), 2U);
+  for (const VariantResult& variant : result.variants) {
+    ASSERT_TRUE(variant.real_time.has_value());
+    EXPECT_FALSE(variant.records.empty());
+    EXPECT_EQ(read_samples(variant.samples_file).rows.size(), variant.records.size());
+  }
+  EXPECT_THAT(contents_of(result.summary_file), testing::HasSubstr("\"time\": \"real\""));
+}
+
+}  // namespace
+}  // namespace tegotae
