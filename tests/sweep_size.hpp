@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 namespace tegotae::testing {
 
 // Sanitizers slow a sweep ten to thirty times and find their faults in the first few thousand cases.
@@ -16,7 +18,8 @@ inline constexpr int kSweepDivisor = 1;
 inline constexpr int kSweepDivisor = 1;
 #endif
 
-/// How many cases of a random sweep to run: `full` in an ordinary build, a fiftieth under a sanitizer.
-constexpr int sweep_size(int full) { return full / kSweepDivisor; }
+/// How many cases of a random sweep to run: `full` in an ordinary build, a fiftieth under a sanitizer, but four at
+/// least (cases may be long runs of their own).
+constexpr int sweep_size(int full) { return std::max(full / kSweepDivisor, std::min(full, 4)); }
 
 }  // namespace tegotae::testing
