@@ -10,8 +10,6 @@
 namespace tegotae::gjk {
 namespace {
 
-using tegotae::testing::random_unit;
-
 constexpr double kCoplanar = 1e-14;
 
 const std::array<Vector3, 4> kTetrahedron = {Vector3(1.0, 0.0, -0.5), Vector3(-0.5, 0.8, -0.5),

@@ -108,8 +108,11 @@ TEST(RepresentationInterpolator, WorksAtFullCapacityWithoutAllocating) {
     plane.n_W = kUp;
     plane.first_point = i * each;
     plane.point_count = each;
-    for (int j = 0; j < each; ++j)
-      a->points[static_cast<size_t>(i * each + j)].feature = static_cast<std::uint64_t>(j + 1);
+    for (int j = 0; j < each; ++j) {
+      const int index = i * each + j;
+      const int feature = j + 1;
+      a->points[static_cast<size_t>(index)].feature = static_cast<std::uint64_t>(feature);
+    }
   }
   auto b = std::make_unique<IntermediateRepresentation>(*a);
   for (auto& point : b->points) point.p_T = Vector3(1.0, 1.0, 1.0);
