@@ -3,6 +3,7 @@
 
 #include <tegotae/device/trajectory.hpp>
 #include <tegotae/lab/figure.hpp>
+#include <tegotae/lab/reference.hpp>
 #include <tegotae/lab/session_settings.hpp>
 #include <tegotae/model/scene_geometry.hpp>
 
@@ -52,7 +53,8 @@ struct Experiment {
   std::vector<Variant> variants;  ///< at least one; the first is written to samples.csv
   ReportedAxis force_axis, torque_axis;
   std::vector<Figure> figures;
-  std::string notes;  ///< what to look at with the paper's method, a few sentences
+  Reference reference;  ///< what methods are held to; none: not set
+  std::string notes;    ///< what to look at with the paper's method, a few sentences
 };
 
 /// The experiment as it is performed and described with the method called `method`. For `paper`: titles and summaries

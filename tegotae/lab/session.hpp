@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tegotae/device/playback_interface.hpp>
+#include <tegotae/lab/progress.hpp>
 #include <tegotae/lab/session_settings.hpp>
 #include <tegotae/runtime/realtime_session.hpp>
 #include <tegotae/runtime/simulated_session.hpp>
@@ -15,9 +16,6 @@
 #include <vector>
 
 namespace tegotae {
-
-/// Told, from time to time, which part of a long work is done (0 to 1).
-using Progress = std::function<void(double)>;
 
 /// A recorded motion rendered on a scene: world, both loops and a hand that plays the motion. Used for one run, as
 /// the run moves the world.

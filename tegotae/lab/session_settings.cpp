@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/numeric_setting.hpp>
 #include <tegotae/lab/session_settings.hpp>
 
 #include <fmt/format.h>
@@ -15,15 +16,6 @@ std::optional<Value> first_of(const std::optional<Value>& a, const std::optional
   return a ? a : b;
 }
 
-// Ranges beyond which a value is a slip of the pen. Rates: below, nothing is felt as firm; above, no interface is
-// served. Margin: from a rounding error to the size of a room.
-void check(std::string_view what, const std::optional<double>& value, double least, double most,
-           std::string_view unit) {
-  if (!value || (std::isfinite(*value) && *value >= least && *value <= most)) return;
-  throw InputError(fmt::format("the {} of {:g} {} is out of range; permitted are {:g} to {:g} {}.", what, *value, unit,
-                               least, most, unit));
-}
-
 void check_method(const std::string& name) {
   std::string names;
   for (const MethodName& method : method_names()) {
@@ -33,39 +25,50 @@ void check_method(const std::string& name) {
   throw InputError(fmt::format("there is no method '{}'; there are: {}.", name, names));
 }
 
-void check_constraint_set(const SettingsRequest& request) {
-  const std::string method = request.method.value_or(SessionSettings{}.method);
-  if (!request.constraint_set || has_constraint_set(method)) return;
-  throw InputError(
-      fmt::format("the method '{}' has no choice of constraint set; leave it out or take method 'paper'.", method));
+double decided_metric_length(const SettingsRequest& request, const SessionSettings& settings, const Tool& tool) {
+  if (request.rotational_stiffness) return std::sqrt(*request.rotational_stiffness / settings.stiffness);
+  const double length = request.metric_length.value_or(default_metric_length(settings.method, tool));
+  return length == 0.0 ? tool.mass.gyration_length() : length;
 }
 
 }  // namespace
 
 bool has_constraint_set(std::string_view name) noexcept { return name == "paper"; }
 
+void check_fits_method(const SettingsRequest& request) {
+  const std::string method = request.method.value_or(SessionSettings{}.method);
+  if (request.constraint_set && !has_constraint_set(method)) {
+    throw InputError(
+        fmt::format("the method '{}' has no choice of constraint set; leave it out or take method 'paper'.", method));
+  }
+  for (const NumericSetting& setting : numeric_settings()) {
+    if (!setting.of_proxy || method == "proxy" || !(request.*setting.field)) continue;
+    throw InputError(
+        fmt::format("the method '{}' has no {}; leave it out or take method 'proxy'.", method, setting.name));
+  }
+  if (request.rotational_stiffness && request.metric_length) {
+    throw InputError("the rotational stiffness is k l^2: give either it or the metric length l, not both.");
+  }
+}
+
 SettingsRequest SettingsRequest::or_else(const SettingsRequest& other) const {
   SettingsRequest both;
   both.method = first_of(method, other.method);
-  both.stiffness = first_of(stiffness, other.stiffness);
-  both.damping = first_of(damping, other.damping);
-  both.metric_length = first_of(metric_length, other.metric_length);
   both.constraint_set = first_of(constraint_set, other.constraint_set);
-  both.physics_rate = first_of(physics_rate, other.physics_rate);
-  both.haptic_rate = first_of(haptic_rate, other.haptic_rate);
-  both.margin = first_of(margin, other.margin);
+  for (const NumericSetting& setting : numeric_settings()) {
+    both.*setting.field = first_of(this->*setting.field, other.*setting.field);
+  }
+  // Two names of one quantity: who gives the one does not get the other from elsewhere.
+  if (metric_length) both.rotational_stiffness.reset();
+  if (rotational_stiffness) both.metric_length.reset();
   return both;
 }
 
 void check_ranges(const SettingsRequest& request) {
   if (request.method) check_method(*request.method);
-  check_constraint_set(request);
-  check("stiffness", request.stiffness, 1e-3, 1e6, "N/m");
-  check("damping", request.damping, 0.0, 1e4, "N s/m");
-  if (request.metric_length != 0.0) check("metric length", request.metric_length, 1e-6, 1e3, "m");
-  check("physics rate", request.physics_rate, 1.0, 2000.0, "Hz");
-  check("haptic rate", request.haptic_rate, 10.0, 20000.0, "Hz");
-  check("margin", request.margin, 1e-6, 10.0, "m");
+  for (const NumericSetting& setting : numeric_settings()) {
+    if (request.*setting.field) check_range(setting, *(request.*setting.field));
+  }
 }
 
 SessionSettings decide_settings(const SettingsRequest& request, const Tool& tool) {
@@ -74,12 +77,19 @@ SessionSettings decide_settings(const SettingsRequest& request, const Tool& tool
   settings.method = request.method.value_or(settings.method);
   settings.stiffness = request.stiffness.value_or(settings.stiffness);
   settings.damping = request.damping.value_or(settings.damping);
-  settings.metric_length = request.metric_length.value_or(default_metric_length(settings.method, tool));
-  if (settings.metric_length == 0.0) settings.metric_length = tool.mass.gyration_length();
+  settings.metric_length = decided_metric_length(request, settings, tool);
   settings.constraint_set = request.constraint_set.value_or(settings.constraint_set);
   settings.haptic_rate = request.haptic_rate.value_or(settings.haptic_rate);
   settings.physics_rate = request.physics_rate.value_or(std::min(settings.physics_rate, settings.haptic_rate));
   settings.margin = request.margin.value_or(settings.margin);
+  settings.rotational_damping = request.rotational_damping;
+  settings.contact_margin = request.contact_margin.value_or(settings.contact_margin);
+  settings.friction = request.friction;
+  settings.kinetic_friction = request.kinetic_friction.value_or(settings.kinetic_friction);
+  settings.viscous_friction = request.viscous_friction.value_or(settings.viscous_friction);
+  settings.tool_weight = request.tool_weight.value_or(0.0) != 0.0;
+  settings.tool_inertia = request.tool_inertia.value_or(0.0) != 0.0;
+  settings.transient = request.transient.value_or(settings.transient);
   if (settings.physics_rate > settings.haptic_rate) {
     throw InputError(
         fmt::format("the physics rate of {:g} Hz is above the haptic rate of {:g} Hz; lower the one or "
@@ -94,7 +104,16 @@ RenderingMethod SessionSettings::make_method(const SceneGeometry& geometry) cons
   of_method.stiffness = stiffness;
   of_method.damping = damping;
   of_method.metric_length = metric_length;
+  of_method.rotational_damping = rotational_damping;
   of_method.constraint_set = constraint_set;
+  of_method.friction = friction;
+  of_method.kinetic_friction = kinetic_friction;
+  of_method.viscous_friction = viscous_friction;
+  of_method.contact_margin = contact_margin;
+  of_method.tool_weight = tool_weight;
+  of_method.tool_inertia = tool_inertia;
+  of_method.gravity = gravity;
+  of_method.transient.amplitude = transient;
   return tegotae::make_method(method, of_method, geometry);
 }
 
@@ -108,6 +127,16 @@ std::vector<std::string> SessionSettings::lines() const {
       fmt::format("haptic rate: {} Hz", haptic_rate),
       fmt::format("margin: {} m", margin),
   };
+  if (rotational_damping) all.push_back(fmt::format("rotational damping: {} N m s/rad", *rotational_damping));
+  if (method == "proxy") {
+    all.push_back(friction ? fmt::format("friction: {}", *friction) : "friction: the scene's");
+    all.push_back(fmt::format("kinetic friction: {} of the static coefficient", kinetic_friction));
+    all.push_back(fmt::format("viscous friction: {} N s/m", viscous_friction));
+    all.push_back(fmt::format("contact margin: {} m", contact_margin));
+    if (tool_weight) all.emplace_back("tool weight: felt");
+    if (tool_inertia) all.emplace_back("tool inertia: felt");
+    if (transient > 0.0) all.push_back(fmt::format("contact transient: {} N s/m", transient));
+  }
   if (has_constraint_set(method)) all.push_back(fmt::format("constraint set: {}", name_of(constraint_set)));
   return all;
 }

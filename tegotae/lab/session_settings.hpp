@@ -23,6 +23,18 @@ struct SettingsRequest {
   std::optional<double> haptic_rate;   ///< Hz
   std::optional<double> margin;        ///< m
 
+  std::optional<double> rotational_stiffness;  ///< N m/rad: another way to give the metric length
+  std::optional<double> rotational_damping;    ///< N m s/rad
+
+  // Of `proxy`; other methods know no friction and no tool that weighs.
+  std::optional<double> friction;          ///< Coulomb coefficient of all pairs in place of the scene's
+  std::optional<double> kinetic_friction;  ///< while slipping, as a part of the coefficient
+  std::optional<double> viscous_friction;  ///< N s/m
+  std::optional<double> contact_margin;    ///< m that one linearisation may move the tool
+  std::optional<double> tool_weight;       ///< 1: the tool's own weight is felt; 0: not
+  std::optional<double> tool_inertia;      ///< 1: the tool's own inertia is felt; 0: not
+  std::optional<double> transient;         ///< N s/m, amplitude of the contact transient; 0: none
+
   /// This request, with what it leaves open taken from `other`.
   SettingsRequest or_else(const SettingsRequest& other) const;
 };
@@ -32,11 +44,21 @@ struct SessionSettings {
   std::string method = "paper";
   double stiffness = 1000.0;   ///< N/m
   double damping = 0.0;        ///< N s/m
-  double metric_length = 1.0;  ///< m
+  double metric_length = 1.0;  ///< m; decided by the method where nobody sets it
   ConstraintSet constraint_set = ConstraintSet::kPenetratingPoints;
   double physics_rate = 500.0;  ///< Hz. Fixed, not measured: results repeat on any machine
   double haptic_rate = 1000.0;  ///< Hz
   double margin = 0.002;        ///< m, of the search for near objects, beyond what the speeds ask for
+
+  std::optional<double> rotational_damping;  ///< N m s/rad; not set: damping times metric length squared
+  std::optional<double> friction;            ///< of all pairs; not set: the scene's
+  double kinetic_friction = 1.0;             ///< while slipping, as a part of the coefficient
+  double viscous_friction = 0.0;             ///< N s/m
+  double contact_margin = 1e-3;              ///< m that one linearisation may move the tool
+  bool tool_weight = false;
+  bool tool_inertia = false;
+  double transient = 0.0;            ///< N s/m
+  Vector3 gravity{0.0, 0.0, -9.81};  ///< m/s^2, of the scene: the tool's weight
 
   RenderingMethod make_method(const SceneGeometry& geometry) const;
 
@@ -54,6 +76,9 @@ bool has_constraint_set(std::string_view name) noexcept;
 
 /// Throws InputError, as `decide_settings` does, for a value out of range, before any scene is loaded.
 void check_ranges(const SettingsRequest& request);
+
+/// Throws InputError where `request` sets something that the method that it names (or the default) does not have.
+void check_fits_method(const SettingsRequest& request);
 
 /// "penetrating", "near".
 std::string_view name_of(ConstraintSet set) noexcept;

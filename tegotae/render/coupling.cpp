@@ -11,8 +11,10 @@ Matrix6 Coupling::stiffness_matrix() const noexcept {
 }
 
 Wrench Coupling::wrench(const Vector6& displacement, const Vector6& before, double dt) const noexcept {
-  const Vector6 felt = stiffness * displacement + damping / dt * (displacement - before);
-  return {felt.head<3>(), metric_length * metric_length * felt.tail<3>()};
+  const double l2 = metric_length * metric_length;
+  const Vector6 rate = (displacement - before) / dt;
+  return {stiffness * displacement.head<3>() + damping * rate.head<3>(),
+          stiffness * l2 * displacement.tail<3>() + rotational_damping.value_or(damping * l2) * rate.tail<3>()};
 }
 
 }  // namespace tegotae

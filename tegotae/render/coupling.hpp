@@ -4,6 +4,8 @@
 #include <tegotae/math/types.hpp>
 #include <tegotae/math/wrench.hpp>
 
+#include <optional>
+
 namespace tegotae {
 
 /// The spring and damper between where the hand holds the tool and where the world lets it be, in the metric that makes
@@ -13,6 +15,8 @@ struct Coupling {
   double stiffness = 1000.0;   ///< k, N/m
   double damping = 0.0;        ///< d, N s/m
   double metric_length = 1.0;  ///< l, m: the rotational stiffness is k l^2 (N m/rad), the damping d l^2
+  /// N m s/rad, in place of d l^2. A rotational stiffness of one's own is a metric length: sqrt(it / k).
+  std::optional<double> rotational_damping = {};
 
   /// diag(k, k, k, k l^2, k l^2, k l^2): energy of a small displacement [dr; dtheta] is half its square in this matrix.
   Matrix6 stiffness_matrix() const noexcept;

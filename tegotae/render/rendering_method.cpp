@@ -35,7 +35,10 @@ Coupling make_coupling(const MethodSettings& settings, double default_metric_len
   require_range("stiffness", settings.stiffness, 1e-3, kMaxStiffness, "N/m");
   require_range("damping", settings.damping, 0.0, kMaxDamping, "N s/m");
   require_range("metric length", metric_length, 1e-6, kMaxMetricLength, "m");
-  return {settings.stiffness, settings.damping, metric_length};
+  if (settings.rotational_damping) {
+    require_range("rotational damping", *settings.rotational_damping, 0.0, kMaxDamping, "N m s/rad");
+  }
+  return {settings.stiffness, settings.damping, metric_length, settings.rotational_damping};
 }
 
 [[noreturn]] void throw_unknown(std::string_view name) {

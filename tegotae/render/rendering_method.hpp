@@ -26,6 +26,7 @@ struct MethodSettings {
   double damping = 0.0;       ///< N s/m, >= 0
   /// m, > 0. Not set: `default_metric_length`.
   std::optional<double> metric_length;
+  std::optional<double> rotational_damping;  ///< N m s/rad, in place of damping times metric length squared, >= 0
   ConstraintSet constraint_set = ConstraintSet::kPenetratingPoints;  ///< of `paper`
 
   // Of `proxy`.

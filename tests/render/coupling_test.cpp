@@ -27,6 +27,15 @@ TEST(Coupling, RotationalTermsScaleWithTheSquareOfTheMetricLength) {
   EXPECT_EQ(tenth.force, Vector3::Zero());
 }
 
+TEST(Coupling, DampsRotationByItsOwnTermWhereThereIsOne) {
+  Coupling coupling{1000.0, 2.0, 0.1};
+  coupling.rotational_damping = 0.3;
+  Vector6 turn = Vector6::Zero();
+  turn(4) = 0.1;
+  EXPECT_NEAR(coupling.wrench(turn, Vector6::Zero(), 1e-3).torque.y(), 1000.0 * 0.01 * 0.1 + 0.3 * 100.0, 1e-12);
+  EXPECT_NEAR(coupling.wrench(turn, turn, 1e-3).torque.y(), 1.0, 1e-12);
+}
+
 TEST(Coupling, StiffnessMatrixGivesTheElasticWrench) {
   const Coupling coupling{1234.0, 0.0, 0.2};
   Vector6 x;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/lab/session_settings.hpp>
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace tegotae {
+
+/// A number that a scene may set in <custom>, as "tegotae_" and its name, and a command line, as "--" and its name with
+/// dashes.
+struct NumericSetting {
+  std::string_view name;  ///< "physics_rate"
+  std::optional<double> SettingsRequest::*field;
+  double least, most;  ///< beyond these a value is a slip of the pen
+  std::string_view unit;
+  bool zero_too;             ///< 0 is permitted, though below `least`
+  bool of_proxy;             ///< no other method has it
+  std::string_view summary;  ///< for help texts
+};
+
+/// All of them.
+std::span<const NumericSetting> numeric_settings() noexcept;
+
+/// Throws InputError, with the range permitted, where `value` is out of it.
+void check_range(const NumericSetting& setting, double value);
+
+}  // namespace tegotae
