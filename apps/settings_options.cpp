@@ -3,10 +3,13 @@
 #include <apps/settings_options.hpp>
 #include <apps/validators.hpp>
 #include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/numeric_setting.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <string>
 #include <system_error>
 
 namespace tegotae {
@@ -33,36 +36,29 @@ ConstraintSet parse_constraint_set(const std::string& text) {
 }  // namespace
 
 void SettingsOptions::add_method(CLI::App& command) {
-  command.add_option("--method", request.method, "Rendering method (see 'tegotae methods'); default: paper")
+  command.add_option("--method", request.method, "Rendering method (see 'tegotae methods'); default: proxy")
       ->type_name("NAME");
+}
+
+void SettingsOptions::add_numbers(CLI::App& command) {
+  for (const NumericSetting& setting : numeric_settings()) {
+    std::string name = fmt::format("--{}", setting.name);
+    std::replace(name.begin(), name.end(), '_', '-');
+    const std::string summary(setting.summary);
+    if (setting.field == &SettingsRequest::metric_length) {
+      command.add_option(name, metric_length, summary)->type_name("m|gyration");
+      continue;
+    }
+    const std::string unit(setting.unit.empty() ? "NUMBER" : setting.unit);
+    command.add_option(name, request.*setting.field, setting.of_proxy ? summary + "; of 'proxy'" : summary)
+        ->type_name(unit)
+        ->check(number_in(setting.unit.empty() ? "" : unit));
+  }
 }
 
 void SettingsOptions::add_all(CLI::App& command) {
   add_method(command);
-  command.add_option("--stiffness", request.stiffness, "Stiffness k of the coupling; default: the scene's, else 1000")
-      ->type_name("N/m")
-      ->check(number_in("N/m"));
-  command.add_option("--damping", request.damping, "Damping d of the coupling; default: the scene's, else 0")
-      ->type_name("N*s/m")
-      ->check(number_in("N*s/m"));
-  command
-      .add_option("--metric-length", metric_length,
-                  "Length l that weighs rotation against translation, or 'gyration' for the tool's gyration length; "
-                  "default: the scene's, else the method's (paper: 1)")
-      ->type_name("m|gyration");
-  command
-      .add_option("--physics-rate", request.physics_rate, "Rate of the physics steps; default: the scene's, else 500")
-      ->type_name("Hz")
-      ->check(number_in("Hz"));
-  command.add_option("--haptic-rate", request.haptic_rate, "Rate of the haptic ticks; default: the scene's, else 1000")
-      ->type_name("Hz")
-      ->check(number_in("Hz"));
-  command
-      .add_option("--margin", request.margin,
-                  "Distance below which objects are near, beyond what the speeds ask for; default: the scene's, else "
-                  "0.002")
-      ->type_name("m")
-      ->check(number_in("m"));
+  add_numbers(command);
   command
       .add_option("--constraint-set", constraint_set,
                   "Contact points that constrain the tool: 'penetrating' (the paper) or all 'near' ones; "
@@ -76,6 +72,7 @@ SettingsRequest SettingsOptions::checked() const {
   if (constraint_set) wanted.constraint_set = parse_constraint_set(*constraint_set);
   try {
     check_ranges(wanted);
+    check_fits_method(wanted);
   } catch (const InputError& error) {
     throw UsageError(error.what());
   }

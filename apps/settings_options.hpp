@@ -17,6 +17,7 @@ struct SettingsOptions {
   std::optional<std::string> constraint_set;
 
   void add_method(CLI::App& command);
+  void add_numbers(CLI::App& command);
   void add_all(CLI::App& command);
 
   /// What was asked for. Throws UsageError for names that are not there and values out of range.

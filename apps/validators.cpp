@@ -9,8 +9,8 @@ CLI::Validator number_in(const std::string& unit) {
   return CLI::Validator(
       [unit](std::string& text) {
         double value = 0.0;
-        return CLI::detail::lexical_cast(text, value) ? std::string()
-                                                      : fmt::format("takes a number in {}, not '{}'", unit, text);
+        if (CLI::detail::lexical_cast(text, value)) return std::string();
+        return fmt::format("takes a number{}{}, not '{}'", unit.empty() ? "" : " in ", unit, text);
       },
       "");
 }

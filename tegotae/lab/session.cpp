@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/numeric_setting.hpp>
 #include <tegotae/lab/session.hpp>
 #include <tegotae/lab/tolerances.hpp>
 
@@ -19,16 +20,31 @@ SafetyLimits limits_of(const SessionSettings& settings, const InterfaceCapabilit
   return limits;
 }
 
+const NumericSetting& setting_in_scene(const std::string& name, const std::filesystem::path& file) {
+  std::string known;
+  for (const NumericSetting& setting : numeric_settings()) {
+    if (setting.name == name) return setting;
+    known += fmt::format("{}tegotae_{}", known.empty() ? "" : ", ", setting.name);
+  }
+  throw InputError(
+      fmt::format("{}: unknown haptic setting 'tegotae_{}' in <custom>; known are {}.", file.string(), name, known));
+}
+
+SessionSettings in_world(SessionSettings settings, const MujocoWorld& world) {
+  settings.gravity = world.gravity();
+  return settings;
+}
+
 }  // namespace
 
 Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const SessionSettings& settings)
     : world_(std::move(world)),
-      settings_(settings),
+      settings_(in_world(settings, *world_)),
       start_(motion.start()),
       duration_(motion.end() - motion.start()),
       interface_(std::move(motion)),
       physics_(*world_, {1.0 / settings.physics_rate, settings.margin},
-               needs_of(settings.make_method(world_->geometry()))) {
+               needs_of(settings_.make_method(world_->geometry()))) {
   if (duration_ * settings_.haptic_rate > tolerance::kMaxTicks) {
     throw InputError(
         fmt::format("the motion lasts {:g} s, which is {:g} ticks at {:g} Hz; at most {:g} are rendered: "
@@ -77,36 +93,21 @@ std::vector<std::string> Session::notes() const {
   return lines;
 }
 
-SettingsRequest settings_of(const HapticSettingsInScene& scene) {
+SettingsRequest settings_of(const std::vector<HapticSettingInScene>& scene, const std::filesystem::path& file) {
   SettingsRequest request;
-  request.stiffness = scene.stiffness;
-  request.damping = scene.damping;
-  request.metric_length = scene.metric_length;
-  request.margin = scene.margin;
-  request.physics_rate = scene.physics_rate;
-  request.haptic_rate = scene.haptic_rate;
-  return request;
-}
-
-SettingsRequest settings_of(const HapticSettingsInScene& scene, const std::filesystem::path& file) {
-  using Member = std::optional<double> SettingsRequest::*;
-  constexpr std::pair<const char*, Member> kSettings[] = {
-      {"tegotae_stiffness", &SettingsRequest::stiffness},
-      {"tegotae_damping", &SettingsRequest::damping},
-      {"tegotae_metric_length", &SettingsRequest::metric_length},
-      {"tegotae_margin", &SettingsRequest::margin},
-      {"tegotae_physics_rate", &SettingsRequest::physics_rate},
-      {"tegotae_haptic_rate", &SettingsRequest::haptic_rate},
-  };
-  SettingsRequest request = settings_of(scene);
-  for (const auto& [name, member] : kSettings) {
-    SettingsRequest alone;
-    alone.*member = request.*member;
+  for (const auto& [name, value] : scene) {
+    const NumericSetting& setting = setting_in_scene(name, file);
     try {
-      check_ranges(alone);
+      check_range(setting, value);
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: the setting '{}' in <custom>: {}", file.string(), name, error.what()));
+      throw InputError(fmt::format("{}: the setting 'tegotae_{}' in <custom>: {}", file.string(), name, error.what()));
     }
+    request.*setting.field = value;
+  }
+  if (request.metric_length && request.rotational_stiffness) {
+    throw InputError(fmt::format(
+        "{}: 'tegotae_metric_length' and 'tegotae_rotational_stiffness' say the same in two ways; give one of them.",
+        file.string()));
   }
   return request;
 }

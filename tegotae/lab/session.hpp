@@ -53,11 +53,9 @@ class Session {
   std::unique_ptr<HapticTick> haptics_;
 };
 
-/// The scene's own haptic settings as a request.
-SettingsRequest settings_of(const HapticSettingsInScene& scene);
-
-/// The same, checked. Throws InputError that names `file` and the setting where one is out of range.
-SettingsRequest settings_of(const HapticSettingsInScene& scene, const std::filesystem::path& file);
+/// The scene's own haptic settings as a request. Throws InputError that names `file` and the setting where one is
+/// unknown or out of range.
+SettingsRequest settings_of(const std::vector<HapticSettingInScene>& scene, const std::filesystem::path& file);
 
 /// The world's warnings on loading, each beginning with the file of its scene.
 std::vector<std::string> scene_warnings(const MujocoWorld& world, const std::filesystem::path& file);

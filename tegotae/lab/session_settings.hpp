@@ -41,7 +41,7 @@ struct SettingsRequest {
 
 /// Settings of a session, all decided.
 struct SessionSettings {
-  std::string method = "paper";
+  std::string method = "proxy";
   double stiffness = 1000.0;   ///< N/m
   double damping = 0.0;        ///< N s/m
   double metric_length = 1.0;  ///< m; decided by the method where nobody sets it

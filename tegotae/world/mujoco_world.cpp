@@ -20,7 +20,7 @@ struct MujocoWorld::Implementation {
   SceneGeometry geometry;
   std::vector<int> moving_bodies;
   std::vector<std::string> warnings;
-  HapticSettingsInScene settings;
+  std::vector<HapticSettingInScene> settings;
   int tool_body = 0;
   double max_substep = 0.0;
 
@@ -113,7 +113,12 @@ void MujocoWorld::advance(double duration, const ToolState& tool, std::span<cons
   simulation.update_poses();
 }
 
-const HapticSettingsInScene& MujocoWorld::haptic_settings() const noexcept { return implementation_->settings; }
+const std::vector<HapticSettingInScene>& MujocoWorld::haptic_settings() const noexcept {
+  return implementation_->settings;
+}
+Vector3 MujocoWorld::gravity() const noexcept {
+  return Eigen::Map<const Vector3>(implementation_->simulation.model().opt.gravity);
+}
 const std::vector<std::string>& MujocoWorld::warnings() const noexcept { return implementation_->warnings; }
 const WorldDiagnostics& MujocoWorld::diagnostics() const noexcept { return implementation_->simulation.diagnostics(); }
 Pose MujocoWorld::tool_pose() const noexcept {
@@ -131,7 +136,7 @@ std::unique_ptr<MujocoWorld> load_mujoco_world(const std::filesystem::path& file
   require(options);
   const std::string name = file.string();
   LoadedModel loaded = load_model(file);
-  const HapticSettingsInScene settings = read_haptic_settings(*loaded.model, name);
+  std::vector<HapticSettingInScene> settings = read_haptic_settings(*loaded.model, name);
   const ToolBody tool_body = find_tool_body(*loaded.model, tool, name);
   const double max_substep = std::min(options.max_substep, loaded.model->opt.timestep);
   Simulation simulation(std::move(loaded.model), options.max_contacts);
@@ -147,7 +152,7 @@ std::unique_ptr<MujocoWorld> load_mujoco_world(const std::filesystem::path& file
   }
   return std::make_unique<MujocoWorld>(std::make_unique<MujocoWorld::Implementation>(
       MujocoWorld::Implementation{std::move(simulation), std::move(built.geometry), std::move(built.moving_bodies),
-                                  std::move(warnings), settings, tool_body.id, max_substep}));
+                                  std::move(warnings), std::move(settings), tool_body.id, max_substep}));
 }
 
 }  // namespace tegotae

@@ -39,7 +39,10 @@ class MujocoWorld final : public World {
   /// finite is ignored, and what goes wrong in MuJoCo is dealt with and counted: see `diagnostics`.
   void advance(double duration, const ToolState& tool, std::span<const BodyImpulse> impulses) override;
 
-  const HapticSettingsInScene& haptic_settings() const noexcept;
+  /// What the scene says in <custom> of how to render it.
+  const std::vector<HapticSettingInScene>& haptic_settings() const noexcept;
+  /// m/s^2
+  Vector3 gravity() const noexcept;
   /// What was found on loading that the user should know, a sentence each.
   const std::vector<std::string>& warnings() const noexcept;
   const WorldDiagnostics& diagnostics() const noexcept;

@@ -17,11 +17,13 @@ inline constexpr double kDegree = std::numbers::pi / 180.0;
 inline constexpr double kHalfEdge = 0.1;  // m, of the cube in scenes/paper-cube.xml
 inline constexpr double kStiffness = 9000.0;
 
-/// What the whole pipeline displays as the paper's cube plays `motion` over its floor.
-inline std::vector<TickRecord> play_cube(Trajectory motion, const SettingsRequest& request) {
-  auto world = load_mujoco_world(TEGOTAE_SCENES "/paper-cube.xml", "tool");
+/// What the whole pipeline displays, with the paper's method, as its cube plays `motion` over the floor.
+inline std::vector<TickRecord> play_cube(Trajectory motion, SettingsRequest request) {
+  request.method = "paper";
+  const char* const scene = TEGOTAE_SCENES "/paper-cube.xml";
+  auto world = load_mujoco_world(scene, "tool");
   const SessionSettings settings =
-      decide_settings(request.or_else(settings_of(world->haptic_settings())), world->geometry().tool);
+      decide_settings(request.or_else(settings_of(world->haptic_settings(), scene)), world->geometry().tool);
   Session session(std::move(world), std::move(motion), settings);
   std::vector<TickRecord> records;
   session.run_simulated(

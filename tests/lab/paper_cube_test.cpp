@@ -19,6 +19,7 @@ const ExperimentResult& performed() {
     const TemporaryFolder folder;
     ExperimentRequest request;
     request.folder = folder.path();
+    request.settings.method = "paper";
     return run_experiment(find_experiment("paper-cube"), request, [](double) {});
   }();
   return result;

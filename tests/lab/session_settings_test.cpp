@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/numeric_setting.hpp>
 #include <tegotae/lab/session_settings.hpp>
 
 #include <gmock/gmock.h>
@@ -7,6 +8,8 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string_view>
 
 namespace tegotae {
 namespace {
@@ -23,8 +26,9 @@ Tool cube() {
 
 TEST(SessionSettings, AreTheDefaultsWhereNothingIsAsked) {
   const SessionSettings settings = decide_settings({}, cube());
-  EXPECT_EQ(settings.method, "paper");
-  EXPECT_EQ(settings.metric_length, 1.0);
+  EXPECT_EQ(settings.method, "proxy");
+  EXPECT_EQ(settings.metric_length, cube().mass.gyration_length());
+  EXPECT_FALSE(settings.friction.has_value());
   EXPECT_EQ(settings.physics_rate, 500.0);
   EXPECT_EQ(settings.haptic_rate, 1000.0);
   EXPECT_EQ(settings.constraint_set, ConstraintSet::kPenetratingPoints);
@@ -89,9 +93,10 @@ TEST(SessionSettings, RefusesAnUnknownMethodAndNamesThoseThereAre) {
 TEST(SessionSettings, RefusesAConstraintSetToMethodsThatHaveNone) {
   SettingsRequest request;
   request.constraint_set = ConstraintSet::kNearPoints;
-  EXPECT_NO_THROW(check_ranges(request));
+  request.method = "paper";
+  EXPECT_NO_THROW(check_fits_method(request));
   request.method = "adachi";
-  EXPECT_THAT([&] { check_ranges(request); }, ThrowsMessage<InputError>(HasSubstr("'adachi' has no choice")));
+  EXPECT_THAT([&] { check_fits_method(request); }, ThrowsMessage<InputError>(HasSubstr("'adachi' has no choice")));
   request.constraint_set.reset();
   EXPECT_THAT(decide_settings(request, cube()).lines(), testing::Not(testing::Contains(HasSubstr("constraint set"))));
 }
@@ -101,8 +106,61 @@ TEST(SessionSettings, LinesNameEverySettingWithItsUnit) {
   request.stiffness = 4321.5;
   const std::vector<std::string> lines = decide_settings(request, cube()).lines();
   EXPECT_THAT(lines, testing::Contains("stiffness: 4321.5 N/m"));
-  EXPECT_THAT(lines, testing::Contains("metric length: 1 m"));
-  EXPECT_THAT(lines, testing::Contains("constraint set: penetrating"));
+  EXPECT_THAT(lines, testing::Contains("friction: the scene's"));
+  request.method = "paper";
+  const std::vector<std::string> of_paper = decide_settings(request, cube()).lines();
+  EXPECT_THAT(of_paper, testing::Contains("metric length: 1 m"));
+  EXPECT_THAT(of_paper, testing::Contains("constraint set: penetrating"));
+  EXPECT_THAT(of_paper, testing::Not(testing::Contains(HasSubstr("friction"))));
+}
+
+TEST(SessionSettings, RefusesFrictionToMethodsThatHaveNone) {
+  SettingsRequest request;
+  request.friction = 0.5;
+  EXPECT_NO_THROW(check_fits_method(request));
+  request.method = "ortega";
+  EXPECT_THAT([&] { check_fits_method(request); }, ThrowsMessage<InputError>(HasSubstr("'ortega' has no friction")));
+}
+
+TEST(SessionSettings, RotationalStiffnessIsAnotherNameOfTheMetricLength) {
+  SettingsRequest line, scene;
+  line.stiffness = 1000.0;
+  line.rotational_stiffness = 2.5;
+  scene.metric_length = 0.3;
+  EXPECT_NEAR(decide_settings(line.or_else(scene), cube()).metric_length, 0.05, 1e-15);
+  EXPECT_EQ(decide_settings(scene.or_else(line), cube()).metric_length, 0.3);
+  line.metric_length = 0.1;
+  EXPECT_THAT([&] { check_fits_method(line); }, ThrowsMessage<InputError>(HasSubstr("not both")));
+}
+
+TEST(SessionSettings, EveryNumberReachesTheMethod) {
+  SettingsRequest request;
+  for (const NumericSetting& setting : numeric_settings()) request.*setting.field = setting.least;
+  request.metric_length.reset();
+  request.physics_rate = 10.0;
+  request.tool_weight = request.tool_inertia = 1.0;
+  const SessionSettings settings = decide_settings(request, cube());
+  EXPECT_EQ(settings.friction, 0.0);
+  EXPECT_EQ(settings.kinetic_friction, 0.0);
+  EXPECT_EQ(settings.viscous_friction, 0.0);
+  EXPECT_EQ(settings.rotational_damping, 0.0);
+  EXPECT_EQ(settings.contact_margin, 1e-5);
+  EXPECT_TRUE(settings.tool_weight);
+  EXPECT_TRUE(settings.tool_inertia);
+}
+
+TEST(NumericSettings, AreNamedOnceAndRefuseWhatIsOutOfRange) {
+  std::set<std::string_view> names;
+  for (const NumericSetting& setting : numeric_settings()) {
+    EXPECT_TRUE(names.insert(setting.name).second) << setting.name;
+    EXPECT_FALSE(setting.summary.empty()) << setting.name;
+    EXPECT_NO_THROW(check_range(setting, setting.least));
+    EXPECT_NO_THROW(check_range(setting, setting.most));
+    for (const double bad : {-1.0, 2.0 * setting.most, std::nan("")}) {
+      EXPECT_THAT([&] { check_range(setting, bad); }, ThrowsMessage<InputError>(HasSubstr("permitted are")))
+          << setting.name;
+    }
+  }
 }
 
 }  // namespace

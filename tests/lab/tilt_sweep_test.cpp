@@ -17,6 +17,7 @@ const std::vector<TickRecord>& swept(size_t variant) {
     const TemporaryFolder folder;
     ExperimentRequest request;
     request.folder = folder.path();
+    request.settings.method = "paper";
     return run_experiment(find_experiment("tilt-sweep"), request, [](double) {});
   }();
   return result.variants.at(variant).records;
