@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/lab/reference.hpp>
+
+namespace tegotae {
+
+/// m that the farthest point of the tool moves, with the hand, from one solution of the offline reference to the next.
+inline constexpr double kReferenceHandStep = 1e-4;
+
+/// The frictionless, quasi-static right answer of any motion on any static scene, solved offline: the tool's pose
+/// nearest to the hand's in the metric of the settings (about the centre of mass), every pair of a tool piece and a
+/// body piece at least the skin of `proxy` apart, followed as a local minimum from the first pose on, so that nothing
+/// is jumped. Two convex polytopes are apart by the skin exactly when a plane separates their vertices by it
+/// (Farkas), so the planes are unknowns beside the pose and neither distances nor contact points are computed. Walls
+/// that contradict each other get the pose of least sum of squared deepest violations. Spheres and capsules are exact;
+/// cylinders and ellipsoids are their inscribed polytopes; moving bodies stay where they are first.
+/// A tick is undefined before the hand has once been outside everything, and where the solution did not converge.
+/// `hand_step` (m): the hand's way from solution to solution. The reference allocates, and works a few milliseconds
+/// a tick.
+Reference offline_reference(double hand_step = kReferenceHandStep);
+
+}  // namespace tegotae
