@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 int main() {
   using namespace tegotae;
@@ -19,8 +20,9 @@ int main() {
 
   MethodSettings settings;
   settings.stiffness = 9000.0;                 // N/m
-  PhysicsLoop physics(*world, {0.05, 0.002});  // 20 Hz, 2 mm of margin
-  HapticTick haptics(make_method("paper", settings, world->geometry()), tool, SafetyLimits{}, 0.001);
+  RenderingMethod method = make_method("proxy", settings, world->geometry());
+  PhysicsLoop physics(*world, {0.05, 0.002}, needs_of(method));  // 20 Hz, 2 mm of margin
+  HapticTick haptics(std::move(method), tool, SafetyLimits{}, 0.001);
 
   double last = 0.0;
   run_simulated(physics, haptics, hand, 0.001, 1.0, [&last](const TickRecord& tick) {
@@ -30,5 +32,5 @@ int main() {
     }
     return true;
   });
-  return std::abs(last - 9.0) < 0.01 ? 0 : 1;  // k times 1 mm
+  return std::abs(last - 9.0) < 0.03 ? 0 : 1;  // k times 1 mm, and 2 um of skin
 }

@@ -51,7 +51,7 @@ void haptic_tick(benchmark::State& state, const std::string& scene, ConstraintSe
     MethodSettings settings;
     settings.stiffness = 9000.0;
     settings.constraint_set = set;
-    PhysicsLoop physics(*world, {0.05, 0.002});
+    PhysicsLoop physics(*world, {0.05, 0.002}, ModelNeeds{});
     HapticTick haptics(make_method("paper", settings, world->geometry()), tool, SafetyLimits{}, 1e-3);
     PlaybackInterface hand(press_and_roll(tool.X_WT, touch_height(tool), 3e-4));
     double total = 0.0;

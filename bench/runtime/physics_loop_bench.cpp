@@ -35,7 +35,7 @@ SceneGeometry crowd(int static_count, int moving_count) {
 
 void physics_build(benchmark::State& state) {
   testing::FreeBodyWorld world(crowd(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
-  PhysicsLoop physics(world, {0.05, 0.002});
+  PhysicsLoop physics(world, {0.05, 0.002}, ModelNeeds{});
   const auto model = std::make_unique<IntermediateRepresentation>();
   DurationHistogram steps;
   double planes = 0.0, points = 0.0;

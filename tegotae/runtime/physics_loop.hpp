@@ -22,7 +22,7 @@ class PhysicsLoop {
   /// `needs` is what the rendering method asks for (`needs_of`); what it does not ask for is not worked out.
   /// Throws std::invalid_argument if a setting is out of range, the world moves more bodies than kMaxMovingBodies, or
   /// its moving bodies do not have the indices 0 to moving_count - 1, each once.
-  PhysicsLoop(World& world, const Settings& settings, const ModelNeeds& needs = {});
+  PhysicsLoop(World& world, const Settings& settings, const ModelNeeds& needs);
 
   /// The model of the world as it is at `time` (s), the tool as in `tool`, into `model`. Does not move the world.
   void build(double time, const ToolState& tool, IntermediateRepresentation& model);

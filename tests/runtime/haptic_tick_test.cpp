@@ -19,7 +19,7 @@ constexpr double kPeriod = 1e-3;
 // A tick over the paper's scene with its first model.
 struct Rig {
   explicit Rig(SceneGeometry scene = testing::cube_over_floor())
-      : world(std::move(scene)), physics(world, {0.05, 0.01}) {
+      : world(std::move(scene)), physics(world, {0.05, 0.01}, ModelNeeds{}) {
     SafetyLimits limits;
     limits.ramp_time = kPeriod;  // full wrench at once
     limits.force_rate = limits.torque_rate = 1e9;

@@ -19,7 +19,7 @@ double greatest_step(std::string_view method, double& last) {
   SceneGeometry scene = testing::cube_over_floor();
   scene.bodies[0].moving_index = 0;
   testing::FreeBodyWorld world(scene);
-  PhysicsLoop physics(world, {kPhysicsPeriod, 0.01});
+  PhysicsLoop physics(world, {kPhysicsPeriod, 0.01}, ModelNeeds{});
   SafetyLimits limits;
   const Tool& tool = world.geometry().tool;
   MethodSettings settings;

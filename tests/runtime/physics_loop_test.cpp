@@ -37,7 +37,7 @@ class GeometryOnly : public World {
 std::string refusal(const std::vector<int>& moving_indices, int moving_count) {
   GeometryOnly world(moving_indices, moving_count);
   try {
-    const PhysicsLoop loop(world, {0.05, 0.002});
+    const PhysicsLoop loop(world, {0.05, 0.002}, ModelNeeds{});
     EXPECT_EQ(loop.body_count(), moving_count);
   } catch (const std::invalid_argument& error) {
     return error.what();

@@ -127,7 +127,7 @@ class FailingWorld : public testing::FreeBodyWorld {
 
 TEST(RealtimeSession, WhenPhysicsFailsTheWrenchFadesAndTheReportSaysWhy) {
   FailingWorld world(testing::cube_over_floor());
-  PhysicsLoop physics(world, {0.01, 0.005});
+  PhysicsLoop physics(world, {0.01, 0.005}, ModelNeeds{});
   SafetyLimits limits;
   limits.max_model_age = 0.05;
   const Tool& tool = world.geometry().tool;

@@ -37,7 +37,7 @@ class ScriptedInterface : public HapticInterface {
 
 std::vector<TickRecord> run(testing::FreeBodyWorld& world, HapticInterface& interface, double duration,
                             double physics_period = 0.05) {
-  PhysicsLoop physics(world, {physics_period, 0.01});
+  PhysicsLoop physics(world, {physics_period, 0.01}, ModelNeeds{});
   MethodSettings settings;
   settings.stiffness = 500.0;
   const Tool& tool = world.geometry().tool;
@@ -176,7 +176,7 @@ TEST(SimulatedSession, RepeatsBitForBit) {
 TEST(SimulatedSession, TheObserverEndsTheRun) {
   testing::FreeBodyWorld world(testing::cube_over_floor());
   ScriptedInterface interface([](double) { return pressed(0.0); });
-  PhysicsLoop physics(world, {0.05, 0.01});
+  PhysicsLoop physics(world, {0.05, 0.01}, ModelNeeds{});
   HapticTick tick(make_method("paper", {}, world.geometry()), world.geometry().tool, SafetyLimits{}, 1e-3);
   int seen = 0;
   run_simulated(physics, tick, interface, 1e-3, 10.0, [&](const TickRecord&) { return ++seen < 7; });
