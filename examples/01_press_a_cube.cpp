@@ -19,7 +19,7 @@ int main() {
   PlaybackInterface hand(Trajectory({{0.0, above}, {1.0, below}}));
 
   MethodSettings settings;
-  settings.stiffness = 9000.0;                 // N/m
+  settings.stiffness = 9000.0;  // N/m
   RenderingMethod method = make_method("proxy", settings, world->geometry());
   PhysicsLoop physics(*world, {0.05, 0.002}, needs_of(method));  // 20 Hz, 2 mm of margin
   HapticTick haptics(std::move(method), tool, SafetyLimits{}, 0.001);

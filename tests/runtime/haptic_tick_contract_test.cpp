@@ -28,7 +28,8 @@ namespace {
 
 class BusyTick {
  public:
-  explicit BusyTick(const char* method) : world_(scene()), physics_(world_, {0.05, 0.01}, needs_of(make_method(method, {}, world_.geometry()))) {
+  explicit BusyTick(const char* method)
+      : world_(scene()), physics_(world_, {0.05, 0.01}, needs_of(make_method(method, {}, world_.geometry()))) {
     const Tool& tool = world_.geometry().tool;
     haptics_ = std::make_unique<HapticTick>(make_method(method, {}, world_.geometry()), tool, SafetyLimits{}, 1e-3);
     for (int i = 0; i < 3; ++i) physics_.build(0.0, {pose(0.1 * i), {}}, models_[i]);

@@ -54,7 +54,7 @@ SceneGeometry scene_with_a_loose_block() {
 
 struct Rig {
   explicit Rig(double physics_period = 0.01)
-      : world(scene_with_a_loose_block(), 1000.0), physics(world, {physics_period, 0.005}) {
+      : world(scene_with_a_loose_block(), 1000.0), physics(world, {physics_period, 0.005}, ModelNeeds{}) {
     const Tool& tool = world.geometry().tool;
     haptics = std::make_unique<HapticTick>(make_method("paper", {}, world.geometry()), tool, SafetyLimits{}, 1e-3);
   }

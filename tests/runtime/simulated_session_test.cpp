@@ -185,8 +185,8 @@ TEST(SimulatedSession, TheObserverEndsTheRun) {
 
 TEST(PhysicsLoop, RefusesWhatItCannotRun) {
   testing::FreeBodyWorld world(testing::cube_over_floor());
-  EXPECT_THROW(PhysicsLoop(world, {0.0, 0.01}), std::invalid_argument);
-  EXPECT_THROW(PhysicsLoop(world, {0.05, -1.0}), std::invalid_argument);
+  EXPECT_THROW(PhysicsLoop(world, {0.0, 0.01}, ModelNeeds{}), std::invalid_argument);
+  EXPECT_THROW(PhysicsLoop(world, {0.05, -1.0}, ModelNeeds{}), std::invalid_argument);
   SceneGeometry crowded = testing::cube_over_floor();
   for (int i = 0; i <= kMaxMovingBodies; ++i) {
     Body body;
@@ -195,7 +195,7 @@ TEST(PhysicsLoop, RefusesWhatItCannotRun) {
     crowded.bodies.push_back(body);
   }
   testing::FreeBodyWorld too_many(std::move(crowded));
-  EXPECT_THROW(PhysicsLoop(too_many, {0.05, 0.01}), std::invalid_argument);
+  EXPECT_THROW(PhysicsLoop(too_many, {0.05, 0.01}, ModelNeeds{}), std::invalid_argument);
 }
 
 }  // namespace
