@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/edge_tasks.hpp>
 #include <tegotae/lab/experiment.hpp>
+#include <tegotae/lab/friction_tasks.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/paper_cube.hpp>
 #include <tegotae/lab/paper_tools.hpp>
+#include <tegotae/lab/thin_plate.hpp>
+#include <tegotae/lab/tight_fits.hpp>
 #include <tegotae/lab/tilt_sweep.hpp>
 
 #include <fmt/format.h>
@@ -67,8 +71,26 @@ std::vector<Variant> metric_length_variants() {
 
 std::span<const Experiment> experiments() {
   static const std::vector<Experiment> all = {
-      paper_cube_experiment(),    tool_18_experiment(),    tool_230_round_experiment(),
-      tool_230_flat_experiment(), tilt_sweep_experiment(),
+      paper_cube_experiment(),
+      tool_18_experiment(),
+      tool_230_round_experiment(),
+      tool_230_flat_experiment(),
+      tilt_sweep_experiment(),
+      table_edge_experiment(),
+      overhang_experiment(),
+      knurl_experiment(),
+      thin_plate_press_experiment(),
+      thin_plate_strike_experiment(),
+      slot_narrow_experiment(),
+      slot_play_experiment(),
+      wedge_experiment(),
+      peg_in_hole_experiment(),
+      slope_experiment(),
+      drag_face_experiment(),
+      drag_edge_experiment(),
+      drag_vertex_experiment(),
+      twist_square_experiment(),
+      twist_disc_experiment(),
   };
   return all;
 }

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the proxy method shows where it rubs.
+#include <tegotae/lab/friction_tasks.hpp>
+#include <tests/lab/performance.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace tegotae {
+namespace {
+
+constexpr double kMu = 0.5;
+
+Performance performed(const Experiment& experiment) { return perform(experiment, experiment.reference); }
+
+class FrictionTask : public testing::TestWithParam<const char*> {};
+
+TEST_P(FrictionTask, KeepsToTheReference) {
+  const Experiment& experiment = find_experiment(GetParam());
+  const Performance done = performed(experiment);
+  const Comparison comparison = compare_with_reference(done);
+  EXPECT_GT(comparison.force.compared, done.records.size() / 2);
+  EXPECT_GT(comparison.force.peak, 0.5);
+  EXPECT_LE(comparison.force.rms, 0.01 * comparison.force.peak);
+  EXPECT_LE(comparison.force.worst, 0.05 * comparison.force.peak) << comparison.force.worst_at;
+  // Where no torque is due: a thousandth of a gram at a hand's breadth.
+  EXPECT_LE(comparison.torque.rms, 0.01 * comparison.torque.peak + 1e-7);
+  EXPECT_LE(comparison.torque.worst, 0.05 * comparison.torque.peak + 1e-7) << comparison.torque.worst_at;
+  EXPECT_LE(comparison.force.jump, 0.04) << comparison.force.jump_at;
+  EXPECT_LE(comparison.torque.jump, 2e-3) << comparison.torque.jump_at;
+  EXPECT_LE(comparison.ghost, 2e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FrictionTask,
+                         testing::Values("slope", "drag-face", "drag-edge", "drag-vertex", "twist-square",
+                                         "twist-disc"));
+
+class Drag : public testing::TestWithParam<const char*> {};
+
+TEST_P(Drag, IsTheCoefficientTimesTheNormalForce) {
+  const Performance done = performed(find_experiment(GetParam()));
+  size_t steady = 0;
+  double unchanged = at_time(done, 0.5).wrench.force.z;
+  for (size_t i = 0; i < done.records.size(); ++i) {
+    const Vector3 f = done.records[i].wrench.force;
+    if (done.records[i].time < 0.5 || !done.reference[i].defined || done.reference[i].wrench.force.x() == 0.0) continue;
+    if (std::abs(done.reference[i].wrench.force.x()) < 0.999 * kMu * done.reference[i].wrench.force.z()) continue;
+    ASSERT_NEAR(f.head<2>().norm(), kMu * f.z(), 0.01 * kMu * f.z()) << done.records[i].time;
+    if (GetParam() == std::string("drag-face")) {
+      ASSERT_NEAR(f.z(), unchanged, 0.01 * unchanged);
+    }
+    ++steady;
+  }
+  EXPECT_GT(steady, 2000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Drag, testing::Values("drag-face", "drag-edge", "drag-vertex"));
+
+TEST(Slope, SlipsWithinHalfADegreeOfTheAngleOfFriction) {
+  const Performance done = performed(find_experiment("slope"));
+  const double start = at_time(done, 0.5).X_WP.p.x;
+  double slipped_at = 0.0;
+  for (const TickRecord& record : done.records) {
+    const double pull = -record.wrench.force.x, elastic = 1e-5 * pull / done.settings.stiffness;
+    if (record.X_WP.p.x - start <= elastic + 5e-6) continue;
+    slipped_at = std::atan2(record.X_WT.p.x - start, record.X_WP.p.z - record.X_WT.p.z) * 180.0 / std::numbers::pi;
+    break;
+  }
+  EXPECT_NEAR(slipped_at, std::atan(kMu) * 180.0 / std::numbers::pi, 0.5);
+}
+
+TEST(Twist, IsThatOfUniformPressure) {
+  for (const auto& [name, mean_distance] : {std::pair("twist-square", mean_distance_in_square(0.06)),
+                                            std::pair("twist-disc", mean_distance_in_disc(0.03))}) {
+    const Performance done = performed(find_experiment(name));
+    for (const double time : {1.8, 4.0}) {
+      const TickRecord& record = at_time(done, time);
+      const double expected = kMu * record.wrench.force.z * mean_distance;
+      EXPECT_NEAR(std::abs(record.wrench.torque.z), expected, 0.05 * expected) << name << " " << time;
+    }
+    EXPECT_LT(at_time(done, 1.8).wrench.torque.z, 0.0);
+    EXPECT_GT(at_time(done, 4.0).wrench.torque.z, 0.0);
+  }
+}
+
+TEST(MeanDistance, OfASquareAndADiscAsManyRandomPlacesHaveIt) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-0.5, 0.5);
+  double square = 0.0, disc = 0.0;
+  int in_disc = 0;
+  constexpr int kPlaces = 200000;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double distance = std::hypot(place(random), place(random));
+    square += distance / kPlaces;
+    if (distance > 0.5) continue;
+    disc += distance;
+    ++in_disc;
+  }
+  EXPECT_NEAR(mean_distance_in_square(1.0), square, 2e-3);
+  EXPECT_NEAR(mean_distance_in_disc(0.5), disc / in_disc, 2e-3);
+}
+
+}  // namespace
+}  // namespace tegotae
