@@ -192,7 +192,7 @@ bool ContactTracker::may_stand(const NearContact& contact, double way, double sk
   // Opposed walls that cannot both be kept off are shared as the linear model says.
   const bool squeezed = before.gap < 0.0 || contact.deepened > 0.0;
   if (squeezed && contact.predicted < least) least = contact.predicted - tolerance::kGuardSlack;
-  return after.gap >= least;
+  return after.gap >= least - tolerance::kGuardRounding;
 }
 
 bool ContactTracker::examine(const Pose& X_WP, double way, double skin) noexcept {

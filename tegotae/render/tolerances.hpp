@@ -78,6 +78,10 @@ inline constexpr double kPushOutSpeed = 0.01;
 /// m. What a pair between opposed walls may be deeper than the linear model says.
 inline constexpr double kGuardSlack = 1e-7;
 
+/// m. What rounding leaves in a gap, ten times over for bodies of a metre: a pair that a step does not change may not
+/// refuse it.
+inline constexpr double kGuardRounding = 1e-12;
+
 /// Compliance of a friction bristle, relative to the coupling's own 1/k: under the force that stretches the coupling by
 /// 3 mm the tool creeps by 30 nm before it slips.
 inline constexpr double kBristleCompliance = 1e-5;

@@ -160,6 +160,25 @@ TEST(ProxyStatic, ASlotTooNarrowIsSharedWithoutChatter) {
   EXPECT_LT(std::abs(rig.output.wrench.force.y()), 1e-6);
 }
 
+// Walls that oppose each other are left sideways as freely as if they were not there, up to the end of the slot.
+TEST(ProxyStatic, ASlotTooNarrowLetsGoAlongItself) {
+  for (const double tilt : {0.0, 0.002}) {
+    for (const double offset : {0.0, 2e-5}) {
+      ProxyRig rig({make_box({0.01005, 0.03, 0.02})});
+      rig.add_body(make_box({0.03, 0.06, 0.025}), at(-0.04, 0.0, -0.025));
+      rig.add_body(make_box({0.03, 0.06, 0.025}), at(0.04, 0.0, -0.025));
+      rig.hold(at({offset, 0.0, -0.022}, {0.0, tilt, 0.0}), 50);
+      for (double z = -0.022; z < 0.0185; z += 0.97e-4) {
+        const Wrench& wrench = rig.tick(at({offset, 0.0, z}, {0.0, tilt, 0.0}));
+        // Of the kilonewtons with which the walls push at each other, what a tilt of 1e-5 of the tool turns upwards.
+        ASSERT_LT(std::abs(wrench.force.z()), 0.1) << z << " tilted by " << tilt << ", off by " << offset;
+      }
+      rig.hold(at({offset, 0.0, 0.03}, {0.0, tilt, 0.0}), 5);
+      EXPECT_LT(rig.output.wrench.force.norm(), 1e-9) << "free; tilted by " << tilt << ", off by " << offset;
+    }
+  }
+}
+
 TEST(ProxyStatic, InAWedgeTheForceIsThatOfBothWalls) {
   // Walls 5 degrees to either side; an upright block is pressed down between them.
   const double half_angle = 5.0 * std::numbers::pi / 180.0;
