@@ -19,5 +19,6 @@ void add_experiment_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_methods_command(CLI::App& program);
 void add_stability_command(CLI::App& program);
+void add_compare_command(CLI::App& program);
 
 }  // namespace tegotae

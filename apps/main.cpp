@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   tegotae::add_render_command(program);
   tegotae::add_methods_command(program);
   tegotae::add_stability_command(program);
+  tegotae::add_compare_command(program);
   try {
     refuse_unknown_command(program, argc, argv);
     program.parse(argc, argv);

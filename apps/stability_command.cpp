@@ -20,9 +20,6 @@
 namespace tegotae {
 namespace {
 
-constexpr double kEnergyDuration = 60.0;  // s
-constexpr std::uint32_t kEnergySeed = 1;
-
 struct StabilityOptions {
   std::string method, contact, folder = "out/stability";
   std::string device = "laboratory", hand = "moderate";

@@ -29,6 +29,10 @@ struct EnergyRow {
   double greatest_force = 0.0;   ///< N
 };
 
+/// Of the measurement that is reported: s, and the seed of the motion.
+inline constexpr double kEnergyDuration = 60.0;
+inline constexpr std::uint32_t kEnergySeed = 1;
+
 /// The cube in `random_contact`, rendered at setup.settings.stiffness.
 EnergyRow measure_energy(const StabilitySetup& setup, double duration, std::uint32_t seed, const Progress& progress);
 

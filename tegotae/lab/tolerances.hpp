@@ -15,4 +15,11 @@ inline constexpr double kMaxTicks = 1e8;
 /// leaves of a coupling of 1e6 N/m over lengths of a metre (2e-10 N), far below anything felt.
 inline constexpr double kFreeWrench = 1e-9;
 
+/// N m. Where a reference has less torque than this, it has none: rounding of forces up to 1e3 N at arms of a metre.
+inline constexpr double kNoTorque = 1e-9;
+
+/// N. The smallest force that a hand feels. A contact that is felt although nothing touches is a ghost; what the skin
+/// of a method displays before contact is less.
+inline constexpr double kFeltForce = 0.04;
+
 }  // namespace tegotae::tolerance
