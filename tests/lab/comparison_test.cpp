@@ -68,16 +68,18 @@ TEST(Comparison, HoldsEachMethodToTheReference) {
     EXPECT_EQ(row.against_reference.ticks, 6001);
     EXPECT_NEAR(row.settings.metric_length, std::sqrt(0.04 / 6.0), 1e-12);
     EXPECT_EQ(row.settings.physics_rate, 20.0);
-    EXPECT_NEAR(row.against_reference.force.peak, 3.15, 1e-2);
+    EXPECT_NEAR(row.against_reference.force.peak, 3.286, 1e-3);
     EXPECT_EQ(row.of_run.tick_times.count(), 6001U);
   }
-  // The proxy follows the closed form within its skin of 2 um; the published constraint set jumps.
+  // The closed form is that of the paper's constraints, which jump from edge to face, where all near points do not.
   const ReferenceMetrics& paper = cube.rows[0].against_reference;
   const ReferenceMetrics& proxy = cube.rows[1].against_reference;
+  EXPECT_LT(paper.force.relative_worst(), 1e-3);
+  EXPECT_LT(paper.torque.relative_worst(), 1e-3);
+  EXPECT_GT(paper.force.greatest_change, 0.3);
   EXPECT_LT(proxy.force.relative_rmse(), 0.01);
-  EXPECT_LT(proxy.force.relative_worst(), 0.05);
-  EXPECT_LT(proxy.force.change_beyond, 0.04);
-  EXPECT_GT(paper.force.change_beyond, 0.1);
+  EXPECT_GT(proxy.force.change_beyond, 0.3);
+  EXPECT_LT(proxy.force.greatest_change, 0.1);
   EXPECT_LT(cube.rows[1].of_run.proxy_penetration, 1e-9);
   EXPECT_FALSE(result.interrupted);
 }
