@@ -18,6 +18,8 @@ constexpr double kGoodEnough = 1e-7;        // of all three, where rounding stop
 constexpr double kFirstShift = 1e-6;        // of Newton's matrix
 constexpr double kShiftGrowth = 10.0;
 constexpr double kLeastStep = 1e-12;
+constexpr int kCorrectedSteps = 25;  // far more than programs need that do not cycle
+constexpr double kPlainCentring = 0.3;
 constexpr double kToTheWall = 0.995;  // share of the way to the nearest bound
 
 class InteriorPoint {
@@ -142,9 +144,11 @@ class InteriorPoint {
         count_ > 0 ? (slack_ + affine_way * affine.slack).dot(multiplier_ + affine_way * affine.multiplier) /
                          static_cast<double>(count_)
                    : 0.0;
-    const double centring = gap_ > 0.0 ? std::pow(affine_gap / gap_, 3) : 0.0;
-    const Eigen::VectorXd complement =
-        (slack_.cwiseProduct(multiplier_) + affine.slack.cwiseProduct(affine.multiplier)).array() - centring * gap_;
+    // Mehrotra's corrector may cycle: a plain step along the central path does not.
+    const bool corrects = ++steps_ <= kCorrectedSteps;
+    const double centring = corrects && gap_ > 0.0 ? std::pow(affine_gap / gap_, 3) : kPlainCentring;
+    Eigen::VectorXd complement = slack_.cwiseProduct(multiplier_).array() - centring * gap_;
+    if (corrects) complement += affine.slack.cwiseProduct(affine.multiplier);
     const Direction d = direction(complement);
     const double most = std::min(way(slack_, d.slack), way(multiplier_, d.multiplier));
     const double length = most >= 1.0 ? 1.0 : kToTheWall * most;
@@ -157,6 +161,7 @@ class InteriorPoint {
   const QuadraticProgram& program_;
   Eigen::Index size_, count_ = 0;
   Eigen::VectorXd y_, b_, slack_, multiplier_, primal_, dual_;
+  int steps_ = 0;
   double gap_ = 0.0, goal_ = 1.0;
   Eigen::LLT<Eigen::MatrixXd> factor_;
 };
