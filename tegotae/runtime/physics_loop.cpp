@@ -69,10 +69,14 @@ PhysicsLoop::PhysicsLoop(World& world, const Settings& settings, const ModelNeed
 }
 
 // A model appears one period after the state that it was made from and is interpolated towards for another, and then
-// serves until the next: two periods of motion.
+// serves until the next: two periods of motion. A method that follows pairs itself is told of those, too, that a hand
+// may come to by speeding up meanwhile; to the others more reach means more points, which bend what they render.
 Reach PhysicsLoop::reach(const ToolState& tool) const {
+  constexpr double kHandAcceleration = 10.0;  // m/s^2, of a brisk hand
   const double speed = tool.V_WT.linear.norm() + tool.V_WT.angular.norm() * tool_radius_;
-  return {settings_.margin + stretch(tool), 2.0 * settings_.period, std::isfinite(speed) ? speed : 0.0};
+  const double horizon = 2.0 * settings_.period;
+  const double speeding_up = needs_.about_proxy ? 0.5 * kHandAcceleration * horizon * horizon : 0.0;
+  return {settings_.margin + stretch(tool) + speeding_up, horizon, std::isfinite(speed) ? speed : 0.0};
 }
 
 // A proxy may come to the interface's pose at once, where what holds it ends.

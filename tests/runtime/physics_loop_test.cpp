@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -63,6 +64,21 @@ TEST(PhysicsLoop, RefusesMovingIndicesThatAreNotEachOnce) {
   expect_refused({0, 0}, 2, "body 'b' has the moving_index 0, which another body has too");
   expect_refused({0, -1}, 2, "no body has the moving_index 1, but moving_count is 2");
   expect_refused({-1}, -1, "moving_count is -1");
+}
+
+// At rest 45 mm over the floor. A brisk hand is there before the model made now has served its time, two periods.
+TEST(PhysicsLoop, NamesWhatAHandThatSpeedsUpMayComeTo) {
+  GeometryOnly world({-1}, 0);
+  const Pose X_WT{{0.0, 0.145, 0.0}, Quaternion::Identity()};
+  const auto near_at = [&](double period, const ModelNeeds& needs) {
+    PhysicsLoop loop(world, {period, 0.002}, needs);
+    auto model = std::make_unique<IntermediateRepresentation>();
+    loop.build(0.0, {X_WT, Twist{}}, *model);
+    return model->near_object_count;
+  };
+  EXPECT_EQ(near_at(0.05, {false, true}), 1);
+  EXPECT_EQ(near_at(0.02, {false, true}), 0) << "8 mm of speeding up";
+  EXPECT_EQ(near_at(0.05, {true, false}), 0) << "the others get no more points for it";
 }
 
 }  // namespace
