@@ -55,6 +55,7 @@ void FacingSurface::fill(const PlacedShape& placed, const OverlayFrame& frame, G
   faces_.clear();
   rims_.clear();
   dropped_ = 0;
+  has_ridge_ = false;
   const Shape& shape = *placed.shape;
   Axes axes(placed, frame, side);
   switch (shape.kind) {
@@ -186,6 +187,14 @@ void FacingSurface::add_edge(const Vertex& a, const Vertex& b, int feature) noex
   edges_.push_back({a.x, a.y, a.h, dx, dy, b.h - a.h, dx * dx + dy * dy, feature});
 }
 
+// Along the first two vertices.
+void FacingSurface::add_ridge(double radius, int feature) noexcept {
+  vertices_[0].radius = vertices_[1].radius = radius;
+  add_edge(vertices_[0], vertices_[1], feature);
+  edges_.back().radius = radius;
+  has_ridge_ = true;
+}
+
 void FacingSurface::add_rim(const Vertex& a, const Vertex& b, double x_inside, double y_inside) noexcept {
   const double dx = b.x - a.x, dy = b.y - a.y;
   const double length = std::hypot(dx, dy);
@@ -204,7 +213,7 @@ void FacingSurface::fill_capsule(const Shape& shape, const Axes& axes, double de
   vertices_.push_back(axes.vertex(shift + end, 1, true));
   const double lowest = std::max(vertices_[0].h, vertices_[1].h) - depth;
   for (Vertex& vertex : vertices_) vertex.faces = vertex.h >= lowest;
-  add_edge(vertices_[0], vertices_[1], 0);
+  add_ridge(shape.size.x(), 0);
 }
 
 void FacingSurface::fill_cylinder(const Shape& shape, const Axes& axes, double depth) noexcept {
@@ -218,7 +227,7 @@ void FacingSurface::fill_cylinder(const Shape& shape, const Axes& axes, double d
   if (sine > tolerances::kUpright) {
     vertices_.push_back(axes.vertex(radius * across - end, kCapCorners, true));
     vertices_[1].faces = vertices_[1].h >= lowest;
-    add_edge(vertices_[0], vertices_[1], kCapCorners);
+    add_ridge(radius, kCapCorners);
   }
   if (std::abs(axes.up.z()) > tolerances::kUpright) fill_cap(shape, axes, lowest);
 }

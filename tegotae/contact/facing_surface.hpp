@@ -36,12 +36,14 @@ class FacingSurface {
     double x = 0.0, y = 0.0, h = 0.0;  ///< m
     int feature = 0;                   ///< index in the shape
     bool faces = false;                ///< on a part that can be seen (else the far end of an edge or hidden)
+    double radius = 0.0;               ///< of the ball that is swept along the line it ends, m; 0: sharp
   };
   struct Edge {
     double x = 0.0, y = 0.0, h = 0.0;     ///< of one end, m
     double dx = 0.0, dy = 0.0, dh = 0.0;  ///< from there to the other, m
     double length2 = 0.0;                 ///< square of its length seen along the direction of projection, m^2
     int feature = 0;
+    double radius = 0.0;  ///< of the ball that is swept along it, m; 0: sharp
   };
   /// h <= h0 + gx x + gy y over the whole outline, equal on the face.
   struct Face {
@@ -70,6 +72,7 @@ class FacingSurface {
   const std::vector<Vertex>& vertices() const noexcept { return vertices_; }
   const std::vector<Edge>& edges() const noexcept { return edges_; }
   const std::vector<Face>& faces() const noexcept { return faces_; }
+  bool has_ridge() const noexcept { return has_ridge_; }  ///< an edge with a radius
   const std::vector<Rim>& rims() const noexcept { return rims_; }
   int dropped() const noexcept { return dropped_; }
 
@@ -86,6 +89,7 @@ class FacingSurface {
   void visit_edge(const Polytope& polytope, const Axes& axes, double lowest, int edge) noexcept;
   void add_face(const Vector3& normal, double offset, double rise, const Axes& axes) noexcept;
   void add_edge(const Vertex& a, const Vertex& b, int feature) noexcept;
+  void add_ridge(double radius, int feature) noexcept;
   void add_rim(const Vertex& a, const Vertex& b, double x_inside, double y_inside) noexcept;
   int local_vertex(const Polytope& polytope, const Axes& axes, double lowest, int vertex) noexcept;
 
@@ -95,6 +99,7 @@ class FacingSurface {
   std::vector<Rim> rims_;
   std::vector<int> pending_;  ///< local vertices still to be walked from
   int dropped_ = 0;
+  bool has_ridge_ = false;
 
   // Marks of the walk: valid where the stamp is this fill's.
   struct Mark {

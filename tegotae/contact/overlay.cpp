@@ -99,6 +99,40 @@ void add_crossings(const OverlayWorkspace& workspace, Collector& collector) noex
   }
 }
 
+// Where an end of something lies over a line that has no area: two capsules side by side, a capsule along an edge.
+// Beside the line, at a distance e, the gap is that of the balls swept along it: hypot(D, e) - R, with D the distance
+// of their centres along the direction of projection and R the sum of their radii.
+template <class Add>
+void add_over_ridges(const FacingSurface& ends, const FacingSurface& lines, const Add& add) noexcept {
+  if (!lines.has_ridge()) return;
+  for (const FacingSurface::Edge& line : lines.edges()) {
+    if (!(line.radius > 0.0) || !(line.length2 > tolerances::kOutline * tolerances::kOutline)) continue;
+    for (const FacingSurface::Vertex& v : ends.vertices()) {
+      if (!v.faces) continue;
+      const double x = v.x - line.x, y = v.y - line.y;
+      const double s = (x * line.dx + y * line.dy) / line.length2;
+      if (!(s >= 0.0 && s <= 1.0)) continue;
+      const double h = line.h + s * line.dh, radii = v.radius + line.radius;
+      const double between = radii - v.h - h;
+      const double beside = std::hypot(x - s * line.dx, y - s * line.dy);
+      if (between > 0.0) add(v, line, h - (std::hypot(between, beside) - between));
+    }
+  }
+}
+
+void add_ends_over_ridges(const OverlayWorkspace& workspace, Collector& collector) noexcept {
+  using Vertex = FacingSurface::Vertex;
+  using Edge = FacingSurface::Edge;
+  add_over_ridges(workspace.tool, workspace.object, [&](const Vertex& v, const Edge& line, double h_line) {
+    if (collector.has_point_at(v.x, v.y)) return;
+    collector.add(v.x, v.y, v.h, h_line, packed(PointKind::kToolVertex, v.feature, 1 + line.feature));
+  });
+  add_over_ridges(workspace.object, workspace.tool, [&](const Vertex& v, const Edge& line, double h_line) {
+    if (collector.has_point_at(v.x, v.y)) return;
+    collector.add(v.x, v.y, h_line, v.h, packed(PointKind::kObjectVertex, 1 + line.feature, v.feature));
+  });
+}
+
 bool is_valid(const OverlayQuery& query) noexcept {
   return query.tool->shape->is_bounded() && query.p_WA.allFinite() && query.p_WB.allFinite() &&
          std::abs(query.n_W.squaredNorm() - 1.0) < 1e-6 && std::isfinite(query.distance) &&
@@ -117,6 +151,7 @@ int overlay(const OverlayQuery& query, OverlayWorkspace& workspace, std::span<Ov
   add_tool_vertices(workspace, collector);
   add_object_vertices(workspace, collector);
   add_crossings(workspace, collector);
+  add_ends_over_ridges(workspace, collector);
   if (collector.least_gap() > query.distance + tolerances::kTouching) {
     collector.add({query.p_WA, query.distance, packed(PointKind::kClosestPair, 0, 0)});
   }

@@ -155,6 +155,42 @@ TEST(Overlay, CurvedShapesGiveTheLinesAndCapsTheyRestOn) {
   EXPECT_NEAR(least, rim.query.distance, 1e-12);
 }
 
+// Side by side there is no area: the ends of the common line are what carries.
+TEST(Overlay, LinesSideBySideGiveTheEndsOfWhatTheyShare) {
+  const Quaternion lying = rotation_from_vector({0.0, std::numbers::pi / 2.0, 0.0});
+  const Shape capsule = make_capsule(0.01, 0.05), cylinder = make_cylinder(0.01, 0.05);
+  const double gap = 1e-5, height = 0.02 + gap;
+  for (const Shape* upper : {&capsule, &cylinder}) {
+    for (const Shape* lower : {&capsule, &cylinder}) {
+      const PlacedShape object(*lower, {Vector3::Zero(), lying});
+      for (const double shift : {0.0, 0.03}) {
+        const PlacedShape tool(*upper, {{shift, 0.0, height}, lying});
+        expect_places(overlaid(tool, object, 1e-4).points, {{0.05, 0.0, 0.01 + gap}, {shift - 0.05, 0.0, 0.01 + gap}});
+      }
+    }
+  }
+  // Along the edge of a roof, and longer than it.
+  const Shape roof = make_box({0.02, 0.03, 0.03});
+  const PlacedShape ridge(
+      roof, {{0.0, 0.0, -0.03 * std::numbers::sqrt2}, rotation_from_vector({std::numbers::pi / 4.0, 0.0, 0.0})});
+  const PlacedShape along(capsule, {{0.0, 0.0, 0.01 + gap}, lying});
+  expect_places(overlaid(along, ridge, 1e-4).points, {{0.02, 0.0, gap}, {-0.02, 0.0, gap}});
+}
+
+TEST(Overlay, LinesThatNearlyCrossHaveTheGapsOfTheirBalls) {
+  const Quaternion lying = rotation_from_vector({0.0, std::numbers::pi / 2.0, 0.0});
+  const Shape capsule = make_capsule(0.01, 0.05);
+  const double gap = 1e-5, turn = 0.02;
+  const PlacedShape object(capsule, {Vector3::Zero(), lying});
+  const PlacedShape tool(capsule, {{0.0, 0.0, 0.02 + gap}, Quaternion(rotation_from_vector({0.0, 0.0, turn}) * lying)});
+  const Overlaid result = overlaid(tool, object, 1e-3);
+  EXPECT_EQ(result.points.size(), 3u);  // where they cross, and two of the four ends, which lie over the other line
+  for (const OverlayPoint& point : result.points) {
+    const double beside = point.p_WA.head<2>().norm() * std::tan(turn);
+    EXPECT_NEAR(point.gap, std::hypot(0.02 + gap, beside) - 0.02, 1e-8);
+  }
+}
+
 struct RandomPair {
   Shape tool, object;
   Pose X_WT, X_WB;

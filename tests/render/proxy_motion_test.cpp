@@ -87,6 +87,25 @@ TEST(ProxyMotion, HullsCylindersAndCapsulesAreNotPenetratedEither) {
   }
 }
 
+// They touch along a line, not at a point: the tool neither tips nor sticks as it slides along.
+TEST(ProxyMotion, CapsulesSideBySideSlideFreely) {
+  const Pose lying{Vector3::Zero(), rotation_from_vector({0.0, std::numbers::pi / 2.0, 0.0})};
+  for (const auto make : {+[] { return make_capsule(0.02, 0.1); }, +[] { return make_cylinder(0.02, 0.1); }}) {
+    Shape tool = make(), object = make();
+    tool.X_BS = object.X_BS = lying;
+    ProxyRig rig({tool});
+    rig.add_body(object);
+    const double depth = 2e-3;
+    for (int i = 0; i <= 3000; ++i) {
+      const double t = 1e-3 * i;
+      const Wrench& wrench = rig.tick(at(0.03 * std::sin(3.0 * t), 0.0, 0.042 - std::min(4e-3 * t, 2e-3 + depth)));
+      ASSERT_LT(std::abs(wrench.force.x()), 0.02) << t;
+      ASSERT_LT(wrench.torque.norm(), 1e-4) << t;
+    }
+    EXPECT_NEAR(rig.output.wrench.force.z(), ProxyRig::kStiffness * (depth + 2e-6), 0.02);
+  }
+}
+
 // The force follows the hand without steps: what changes in a tick is at most a few times what the hand's own motion
 // through the coupling makes.
 TEST(ProxyMotion, AFaceRockedOnAFloorIsFeltWithoutSteps) {
