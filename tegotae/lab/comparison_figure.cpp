@@ -2,31 +2,66 @@
 #include <tegotae/lab/comparison_figure.hpp>
 #include <tegotae/lab/quantities.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace tegotae {
 namespace {
 
-// As if a run had displayed it, so that it is drawn as one; not a number where nothing is known, which is left out.
-std::vector<TickRecord> reference_records(std::span<const TickRecord> like,
-                                          std::span<const ReferenceSample> reference) {
+const Wrench kUnknown{Vector3::Constant(std::numeric_limits<double>::quiet_NaN()),
+                      Vector3::Constant(std::numeric_limits<double>::quiet_NaN())};
+
+// As if a run had displayed it, so that it is drawn as one: the reference, less `factor` times what was rendered.
+// Where nothing is known there is a gap.
+std::vector<TickRecord> reference_less(std::span<const ReferenceSample> reference, double factor,
+                                       std::span<const TickRecord> rendered) {
   std::vector<TickRecord> records;
-  for (size_t i = 0; i < like.size() && i < reference.size(); ++i) {
+  for (size_t i = 0; i < rendered.size() && i < reference.size(); ++i) {
     TickRecord record;
-    record.time = like[i].time;
-    record.wrench = reference[i].defined ? reference[i].wrench
-                                         : Wrench{Vector3::Constant(std::numeric_limits<double>::quiet_NaN()),
-                                                  Vector3::Constant(std::numeric_limits<double>::quiet_NaN())};
+    record.time = rendered[i].time;
+    record.wrench = reference[i].defined ? reference[i].wrench - Wrench(rendered[i].wrench) * factor : kUnknown;
     records.push_back(record);
   }
   return records;
 }
 
-std::vector<Curve> curves_of(std::span<const ComparedRun> runs, const Quantity& quantity) {
+double force_of(const TickRecord& record, const SessionSettings& /*settings*/) {
+  return record.wrench.force.vector().norm();
+}
+
+double torque_of(const TickRecord& record, const SessionSettings& /*settings*/) {
+  return record.wrench.torque.vector().norm();
+}
+
+// Below these an error is not worth a look: far below what a hand feels (0.04 N at arms of centimetres).
+constexpr double kLeastForceError = 1e-4;   // N
+constexpr double kLeastTorqueError = 1e-6;  // N m
+
+// Of the runs, then of the reference if there is any.
+std::vector<Curve> rendered_curves(std::span<const ComparedRun> runs, bool is_defined, const Quantity& quantity) {
   std::vector<Curve> curves;
   for (const ComparedRun& run : runs) curves.push_back({run.method, curves.size(), quantity, false});
-  curves.push_back({"reference", curves.size(), quantity, true});
+  if (is_defined) curves.push_back({"reference", runs.size(), quantity, true});
   return curves;
+}
+
+std::vector<Curve> error_curves(std::span<const ComparedRun> runs, const Quantity& quantity) {
+  std::vector<Curve> curves;
+  for (size_t i = 0; i < runs.size(); ++i) curves.push_back({"", runs.size() + 1 + i, quantity, false});
+  return curves;
+}
+
+std::vector<Panel> panels_of(const Experiment& experiment, std::span<const ComparedRun> runs, bool is_defined) {
+  const ReportedAxis &force = experiment.force_axis, &torque = experiment.torque_axis;
+  const Panel forces{"force along " + force.name + " [N]",
+                     rendered_curves(runs, is_defined, force_along(force.direction))};
+  const Panel torques{"torque about " + torque.name + " [N m]",
+                      rendered_curves(runs, is_defined, torque_along(torque.direction))};
+  if (!is_defined) return {forces, torques};
+  return {forces,
+          {"error of force [N]", error_curves(runs, force_of), kLeastForceError},
+          torques,
+          {"error of torque [N m]", error_curves(runs, torque_of), kLeastTorqueError}};
 }
 
 }  // namespace
@@ -35,15 +70,14 @@ void draw_comparison(const Experiment& experiment, std::span<const ComparedRun> 
                      std::span<const ReferenceSample> reference, const std::filesystem::path& folder) {
   if (runs.empty()) return;
   Figure figure{.name = experiment.name, .title = experiment.name + ": force and torque of all methods"};
-  figure.panels = {{"force along " + experiment.force_axis.name + " [N]",
-                    curves_of(runs, force_along(experiment.force_axis.direction))},
-                   {"torque about " + experiment.torque_axis.name + " [N m]",
-                    curves_of(runs, torque_along(experiment.torque_axis.direction))}};
-  const std::vector<TickRecord> right = reference_records(runs.front().records, reference);
+  const bool is_defined = std::any_of(reference.begin(), reference.end(), [](const auto& r) { return r.defined; });
+  figure.panels = panels_of(experiment, runs, is_defined);
+  std::vector<std::vector<TickRecord>> derived = {reference_less(reference, 0.0, runs.front().records)};
+  for (const ComparedRun& run : runs) derived.push_back(reference_less(reference, 1.0, run.records));
   const SessionSettings unused;
   std::vector<RunSamples> samples;
   for (const ComparedRun& run : runs) samples.push_back({run.records, unused});
-  samples.push_back({right, unused});
+  for (const std::vector<TickRecord>& records : derived) samples.push_back({records, unused});
   draw(figure, samples, folder);
 }
 

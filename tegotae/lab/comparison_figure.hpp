@@ -18,8 +18,8 @@ struct ComparedRun {
   std::span<const TickRecord> records;
 };
 
-/// Draws force and torque over time along the experiment's axes, a curve a run and the reference dashed, into files
-/// named as the experiment. Errors as `draw`.
+/// Draws force and torque over time along the experiment's axes, a curve a run and the reference dashed, and below each
+/// the magnitude of the whole error, into files named as the experiment. Errors as `draw`.
 void draw_comparison(const Experiment& experiment, std::span<const ComparedRun> runs,
                      std::span<const ReferenceSample> reference, const std::filesystem::path& folder);
 

@@ -24,10 +24,18 @@ std::string rule_under(const Cells& head) {
   return line + "\n";
 }
 
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.3g}", value) : "not finite"; }
+// Three significant digits, and no exponent where a reader would not want one.
+std::string number(double value) {
+  if (!std::isfinite(value)) return "not finite";
+  return std::abs(value) >= 1000.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
 
-// Where the reference has no force (or no torque) at all there is no part of it.
-std::string percent(double part, double peak) { return peak > 0.0 ? number(100.0 * part) : "–"; }
+// Where the reference has no force (or no torque) at all there is no part of it. Less than a hundredth of a thousandth
+// is rounding, or nearly.
+std::string percent(double part, double peak) {
+  if (!(peak > 0.0)) return "–";
+  return part > 0.0 && part < 1e-5 ? "< 0.001" : number(100.0 * part);
+}
 
 std::string state_text(const ComparisonRow& row) { return row.state == RowState::kFailed ? "failed" : "not reached"; }
 

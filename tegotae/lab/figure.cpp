@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
@@ -19,24 +21,40 @@ constexpr int kWidth = 900, kTopHeight = 90, kPanelHeight = 260;
 // Points of a curve after thinning: about one a pixel.
 constexpr size_t kMaxPoints = 1000;
 
-std::vector<PlotPoint> points_of(const Figure& figure, const Curve& curve, const RunSamples& run) {
-  std::vector<PlotPoint> points;
-  points.reserve(run.records.size());
+// The parts of a curve between its gaps, thinned out alike.
+std::vector<std::vector<PlotPoint>> parts_of(const Panel& panel, const Figure& figure, const Curve& curve,
+                                             const RunSamples& run) {
+  std::vector<std::vector<PlotPoint>> parts;
+  bool in_gap = true;
   for (const TickRecord& record : run.records) {
-    points.push_back({figure.x(record, run.settings), curve.quantity(record, run.settings)});
+    PlotPoint point{figure.x(record, run.settings), curve.quantity(record, run.settings)};
+    const bool is_drawn = std::isfinite(point.x) && std::isfinite(point.y);
+    if (panel.logarithmic_from > 0.0) point.y = std::max(point.y, panel.logarithmic_from);
+    if (is_drawn && in_gap) parts.emplace_back();
+    if (is_drawn) parts.back().push_back(point);
+    in_gap = !is_drawn;
   }
-  return thinned(points, kMaxPoints);
+  for (std::vector<PlotPoint>& part : parts) {
+    part = thinned(part, std::max<size_t>(2, kMaxPoints * part.size() / run.records.size()));
+  }
+  return parts;
 }
 
-// One block of "x y" lines a curve, in the order of the panels; gnuplot finds them by their index.
+// One block of "x y" lines a curve, in the order of the panels; gnuplot finds them by their index. An empty line is a
+// gap.
 std::string data_of(const Figure& figure, std::span<const RunSamples> runs) {
   std::string text;
   for (const Panel& panel : figure.panels) {
     for (const Curve& curve : panel.curves) {
       fmt::format_to(std::back_inserter(text), "# {}: {}\n", panel.label, curve.label);
-      for (const PlotPoint& point : points_of(figure, curve, runs[curve.variant])) {
-        fmt::format_to(std::back_inserter(text), "{:.7g} {:.7g}\n", point.x, point.y);
+      const auto parts = parts_of(panel, figure, curve, runs[curve.variant]);
+      for (const std::vector<PlotPoint>& part : parts) {
+        if (&part != &parts.front()) text.append("\n");
+        for (const PlotPoint& point : part) {
+          fmt::format_to(std::back_inserter(text), "{:.7g} {:.7g}\n", point.x, point.y);
+        }
       }
+      if (parts.empty()) text.append("nan nan\n");  // an index of its own all the same
       text.append("\n\n");
     }
   }
@@ -44,7 +62,11 @@ std::string data_of(const Figure& figure, std::span<const RunSamples> runs) {
 }
 
 std::string commands_of_panel(const Figure& figure, const Panel& panel, int& index) {
-  std::string text = fmt::format("set ylabel \"{}\"\nplot ", panel.label);
+  const bool is_logarithmic = panel.logarithmic_from > 0.0;
+  std::string text = is_logarithmic ? fmt::format("set logscale y\nset format y '10^{{%T}}'\nset yrange [{:g}:*]\n",
+                                                  panel.logarithmic_from)
+                                    : "";
+  text += fmt::format("set ylabel \"{}\"\nplot ", panel.label);
   for (size_t i = 0; i < panel.curves.size(); ++i) {
     const Curve& curve = panel.curves[i];
     const std::string title =
@@ -54,7 +76,7 @@ std::string commands_of_panel(const Figure& figure, const Panel& panel, int& ind
                    curve.is_reference ? "lw 1 dt 2 lc rgb '#202020'" : fmt::format("lw 2 lt {}", i + 1), title);
     ++index;
   }
-  return text + "\n";
+  return text + (is_logarithmic ? "\nunset logscale y\nset format y\nset yrange [*:*]\n" : "\n");
 }
 
 // The same drawing for both formats.

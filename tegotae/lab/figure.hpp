@@ -12,7 +12,8 @@
 
 namespace tegotae {
 
-/// A number read from a tick, or computed from what it saw (a closed form to compare with). NaN: none.
+/// A number read from a tick, or computed from what it saw (a closed form to compare with). NaN: none, a gap in its
+/// curve.
 using Quantity = std::function<double(const TickRecord&, const SessionSettings&)>;
 
 struct Curve {
@@ -26,6 +27,7 @@ struct Curve {
 struct Panel {
   std::string label;  ///< of the vertical axis, with unit
   std::vector<Curve> curves;
+  double logarithmic_from = 0.0;  ///< > 0: the vertical axis is logarithmic and begins there; what is less lies on it
 };
 
 struct Figure {

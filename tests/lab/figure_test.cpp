@@ -72,6 +72,22 @@ TEST(Figures, RepeatBitForBit) {
   EXPECT_EQ(contents_of(folder.path() / "first" / "both.svg"), contents_of(folder.path() / "second" / "both.svg"));
 }
 
+TEST(Figures, LeaveAGapWhereThereIsNoNumberAndBeginALogarithmicAxisWhereItIsSaid) {
+  const TemporaryFolder folder;
+  const std::vector<TickRecord> records = turning_ticks();
+  const SessionSettings settings;
+  Figure figure{.name = "gap", .title = "A gap"};
+  const Quantity with_gap = [](const TickRecord& record, const SessionSettings&) {
+    return record.time > 0.1 && record.time < 0.2 ? std::nan("") : record.time;
+  };
+  figure.panels = {{"t [s]", {{"", 0, with_gap, false}}, 0.25}};
+  draw(figure, std::vector<RunSamples>{{records, settings}}, folder.path());
+  const std::string data = contents_of(folder.path() / "gap.dat");
+  EXPECT_THAT(data, HasSubstr("\n0.1 0.25\n\n0.2 0.25\n"));
+  EXPECT_THAT(data, HasSubstr("\n0.3 0.3\n"));
+  EXPECT_THAT(contents_of(folder.path() / "gap.gnuplot"), HasSubstr("set yrange [0.25:*]"));
+}
+
 TEST(Figures, SayWhereTheyCannotBeWritten) {
   const TemporaryFolder folder;
   const std::string file = folder.write("occupied", "");
