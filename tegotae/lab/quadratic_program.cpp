@@ -13,6 +13,8 @@ constexpr int kIterations = 100;
 constexpr double kPrimalResidual = 1e-11;   // of a row
 constexpr double kDualResidual = 1e-9;      // relative to the greatest of g and 1: rounding leaves a tenth
 constexpr double kComplementarity = 1e-13;  // mean of slack times multiplier, relative to the same
+constexpr double kRounding = 1e-13;         // of the greatest multiplier, in the dual residual
+constexpr double kSlackRounding = 1e-16;    // the same, in the complementarity
 constexpr double kExhausted = 1e-17;        // the same: nothing is left to gain, but digits to lose
 constexpr double kGoodEnough = 1e-7;        // of all three, where rounding stops progress
 constexpr double kFirstShift = 1e-6;        // of Newton's matrix
@@ -92,8 +94,12 @@ class InteriorPoint {
 
   bool settled(double primal, double dual, double complementarity) const {
     return (count_ == 0 || primal_.lpNorm<Eigen::Infinity>() <= primal) &&
-           dual_.lpNorm<Eigen::Infinity>() <= dual * goal_ && gap_ <= complementarity * goal_;
+           dual_.lpNorm<Eigen::Infinity>() <= dual * goal_ + kRounding * greatest_multiplier() &&
+           gap_ <= complementarity * goal_ + kSlackRounding * greatest_multiplier();
   }
+
+  // Multipliers that oppose each other may be far greater than what they leave.
+  double greatest_multiplier() const { return count_ > 0 ? multiplier_.maxCoeff() : 0.0; }
 
   // Newton's matrix H + A^T diag(z / w) A, positive definite.
   bool factorise() {

@@ -12,6 +12,7 @@ namespace {
 constexpr double kTrust = 1e-4;          // m: greatest step, far below any feature that a hand tells apart
 constexpr double kLeastTrust = 1e-11;    // m: no step that small is refused but by rounding
 constexpr double kConverged = 1e-9;      // m: of the step, of violations
+constexpr double kTurned = 1e-5;         // rad that the planes of loaded pairs still turn by
 constexpr double kTouch = 1e-12;         // m of displacement, that a pushing force stretches the coupling by
 constexpr int kPrograms = 3000;          // of one step of the hand: a leap of 10 cm
 constexpr double kReach = 2.0 * kTrust;  // m: a step moves no point further, so pairs further apart wait
@@ -136,6 +137,18 @@ bool SeparatedTool::jump_to_hand(const Pose& X_WH) {
   return true;
 }
 
+// Whether the planes that carry load stand still, and keep the tool as far from the bodies as they promise.
+bool SeparatedTool::planes_hold(std::span<const PlanePair> before, std::span<const PlanePair> after,
+                                std::span<const ConvexCore> placed) const {
+  for (size_t j = 0; j < after.size(); ++j) {
+    const PlanePair& pair = after[j];
+    const ConvexCore& above = placed[static_cast<size_t>(pair.above - tool_.data())];
+    if (gap_along(above, *pair.below, pair.n) < parameters_.skin - pair.slack - kConverged) return false;
+    if (pair.load > kTouch && (pair.n - before[j].n).norm() > kTurned) return false;
+  }
+  return true;
+}
+
 bool SeparatedTool::follow(const Pose& X_WH) {
   X_WH_ = X_WH;
   double trust = kTrust;
@@ -161,10 +174,10 @@ bool SeparatedTool::follow(const Pose& X_WH) {
       trust *= 0.3;
       continue;
     }
-    const double moved = way(step.move);
+    const bool settled = way(step.move) < kConverged && trust > kConverged && planes_hold(near_, pairs, trial_);
     move_to(X_WN);
     remember(pairs);
-    if (moved < kConverged && trust > kConverged) {
+    if (settled) {
       update_near();
       return true;
     }

@@ -65,6 +65,8 @@ class SeparatedTool {
   bool jump_to_hand(const Pose& X_WH);
   double value_at(const Pose& X_WP, const Pose& X_WH, std::span<const PlanePair> pairs,
                   std::vector<ConvexCore>& placed);
+  bool planes_hold(std::span<const PlanePair> before, std::span<const PlanePair> after,
+                   std::span<const ConvexCore> placed) const;
   void remember(std::span<const PlanePair> pairs);
 
   const SceneGeometry& scene_;
