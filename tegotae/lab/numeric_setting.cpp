@@ -16,36 +16,36 @@ using Request = SettingsRequest;
 // Rates: below the least nothing is felt as firm, above the most no interface is served. Margins: from a rounding error
 // to the size of a room.
 constexpr NumericSetting kSettings[] = {
-    {"stiffness", &Request::stiffness, 1e-3, 1e6, "N/m", false, false,
+    {"stiffness", &Request::stiffness, 1e-3, 1e6, "N/m", false, false, false,
      "Stiffness k of the coupling; default: the scene's, else 1000"},
-    {"damping", &Request::damping, 0.0, 1e4, "N s/m", false, false,
+    {"damping", &Request::damping, 0.0, 1e4, "N s/m", false, false, false,
      "Damping d of the coupling; default: the scene's, else 0"},
-    {"metric_length", &Request::metric_length, 1e-6, 1e3, "m", true, false,
+    {"metric_length", &Request::metric_length, 1e-6, 1e3, "m", true, false, false,
      "Length l that weighs rotation against translation, or 'gyration' for the tool's gyration length; default: the "
      "scene's, else the method's (paper: 1, others: gyration)"},
-    {"rotational_stiffness", &Request::rotational_stiffness, 1e-9, 1e9, "N m/rad", false, false,
+    {"rotational_stiffness", &Request::rotational_stiffness, 1e-9, 1e9, "N m/rad", false, false, false,
      "Rotational stiffness k l^2, in place of the metric length"},
-    {"rotational_damping", &Request::rotational_damping, 0.0, 1e4, "N m s/rad", false, false,
+    {"rotational_damping", &Request::rotational_damping, 0.0, 1e4, "N m s/rad", false, false, false,
      "Rotational damping; default: the scene's, else d l^2"},
-    {"physics_rate", &Request::physics_rate, 1.0, 2000.0, "Hz", false, false,
+    {"physics_rate", &Request::physics_rate, 1.0, 2000.0, "Hz", false, false, false,
      "Rate of the physics steps; default: the scene's, else 500"},
-    {"haptic_rate", &Request::haptic_rate, 10.0, 20000.0, "Hz", false, false,
+    {"haptic_rate", &Request::haptic_rate, 10.0, 20000.0, "Hz", false, false, false,
      "Rate of the haptic ticks; default: the scene's, else 1000"},
-    {"margin", &Request::margin, 1e-6, 10.0, "m", false, false,
+    {"margin", &Request::margin, 1e-6, 10.0, "m", false, false, false,
      "Distance below which objects are near, beyond what the speeds ask for; default: the scene's, else 0.002"},
-    {"contact_margin", &Request::contact_margin, 1e-5, 0.1, "m", false, true,
+    {"contact_margin", &Request::contact_margin, 1e-5, 0.1, "m", false, true, false,
      "How far one linearisation may move the tool; default: the scene's, else 0.001"},
-    {"friction", &Request::friction, 0.0, 10.0, "", false, true,
+    {"friction", &Request::friction, 0.0, 10.0, "", false, true, false,
      "Coefficient of sliding friction of all contacts; default: the scene's, else that of each geom"},
-    {"kinetic_friction", &Request::kinetic_friction, 0.0, 1.0, "of the static coefficient", false, true,
+    {"kinetic_friction", &Request::kinetic_friction, 0.0, 1.0, "of the static coefficient", false, true, false,
      "Friction while slipping, as a part of the coefficient; default: the scene's, else 1"},
-    {"viscous_friction", &Request::viscous_friction, 0.0, 1e4, "N s/m", false, true,
+    {"viscous_friction", &Request::viscous_friction, 0.0, 1e4, "N s/m", false, true, false,
      "Viscous friction of a sliding contact; default: the scene's, else 0"},
-    {"tool_weight", &Request::tool_weight, 0.0, 1.0, "", false, true,
+    {"tool_weight", &Request::tool_weight, 0.0, 1.0, "", false, true, true,
      "1: the tool's own weight is felt; default: the scene's, else 0"},
-    {"tool_inertia", &Request::tool_inertia, 0.0, 1.0, "", false, true,
+    {"tool_inertia", &Request::tool_inertia, 0.0, 1.0, "", false, true, true,
      "1: the tool's own inertia is felt; default: the scene's, else 0"},
-    {"transient", &Request::transient, 0.0, 1e4, "N s/m", false, true,
+    {"transient", &Request::transient, 0.0, 1e4, "N s/m", false, true, false,
      "Amplitude of the short vibration at an impact, per speed of it; default: the scene's, else 0"},
 };
 
@@ -61,6 +61,9 @@ std::span<const NumericSetting> numeric_settings() noexcept { return kSettings; 
 
 void check_range(const NumericSetting& setting, double value) {
   const bool inside = value >= setting.least && value <= setting.most;
+  if (setting.is_switch && value != 0.0 && value != 1.0) {
+    throw InputError(fmt::format("the {} is 1 (on) or 0 (off), not {:g}.", in_words(setting.name), value));
+  }
   if (std::isfinite(value) && (inside || (setting.zero_too && value == 0.0))) return;
   const std::string unit = setting.unit.empty() ? "" : fmt::format(" {}", setting.unit);
   throw InputError(fmt::format("the {} of {:g}{} is out of range; permitted are {:g} to {:g}{}.",

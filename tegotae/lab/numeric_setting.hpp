@@ -18,6 +18,7 @@ struct NumericSetting {
   std::string_view unit;
   bool zero_too;             ///< 0 is permitted, though below `least`
   bool of_proxy;             ///< no other method has it
+  bool is_switch;            ///< 0 or 1, nothing between
   std::string_view summary;  ///< for help texts
 };
 

@@ -156,9 +156,12 @@ TEST(NumericSettings, AreNamedOnceAndRefuseWhatIsOutOfRange) {
     EXPECT_FALSE(setting.summary.empty()) << setting.name;
     EXPECT_NO_THROW(check_range(setting, setting.least));
     EXPECT_NO_THROW(check_range(setting, setting.most));
+    const char* const sentence = setting.is_switch ? "is 1 (on) or 0 (off), not" : "permitted are";
     for (const double bad : {-1.0, 2.0 * setting.most, std::nan("")}) {
-      EXPECT_THAT([&] { check_range(setting, bad); }, ThrowsMessage<InputError>(HasSubstr("permitted are")))
-          << setting.name;
+      EXPECT_THAT([&] { check_range(setting, bad); }, ThrowsMessage<InputError>(HasSubstr(sentence))) << setting.name;
+    }
+    if (setting.is_switch) {
+      EXPECT_THROW(check_range(setting, 0.5), InputError) << setting.name;
     }
   }
 }
