@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tegotae {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kComplementarity = 1e-13;  // mean of slack times multiplier, r
 constexpr double kRounding = 1e-13;         // of the greatest multiplier, in the dual residual
 constexpr double kSlackRounding = 1e-16;    // the same, in the complementarity
 constexpr double kExhausted = 1e-17;        // the same: nothing is left to gain, but digits to lose
-constexpr double kGoodEnough = 1e-7;        // of all three, where rounding stops progress
+constexpr double kGoodEnough = 1e3;         // of these tolerances, where rounding stops progress
 constexpr double kFirstShift = 1e-6;        // of Newton's matrix
 constexpr double kShiftGrowth = 10.0;
 constexpr double kLeastStep = 1e-12;
@@ -43,21 +44,22 @@ class InteriorPoint {
 
   QuadraticSolution run() {
     QuadraticSolution solution;
+    double least = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd multiplier = multiplier_;
     for (; solution.iterations < kIterations; ++solution.iterations) {
       update_residuals();
-      if (settled(kPrimalResidual, kDualResidual, kComplementarity)) {
-        solution.converged = true;
-        break;
+      if (const double now = error(); now < least || solution.y.size() == 0) {
+        least = now;
+        solution.y = y_;
+        multiplier = multiplier_;
       }
-      if (gap_ <= kExhausted * goal_ && count_ > 0) break;
+      if (least <= 1.0 || (gap_ <= kExhausted * goal_ && count_ > 0)) break;
       if (!factorise() || advance() < kLeastStep) break;
     }
-    update_residuals();
-    solution.converged = solution.converged || settled(kGoodEnough, kGoodEnough, kGoodEnough);
-    solution.y = y_;
+    solution.converged = least <= kGoodEnough;
     Eigen::Index first = 0;
     for (const RowGroup& group : program_.groups) {
-      solution.multipliers.emplace_back(multiplier_.segment(first, group.b.size()));
+      solution.multipliers.emplace_back(multiplier.segment(first, group.b.size()));
       first += group.b.size();
     }
     return solution;
@@ -92,14 +94,14 @@ class InteriorPoint {
     gap_ = count_ > 0 ? slack_.dot(multiplier_) / static_cast<double>(count_) : 0.0;
   }
 
-  bool settled(double primal, double dual, double complementarity) const {
-    return (count_ == 0 || primal_.lpNorm<Eigen::Infinity>() <= primal) &&
-           dual_.lpNorm<Eigen::Infinity>() <= dual * goal_ + kRounding * greatest_multiplier() &&
-           gap_ <= complementarity * goal_ + kSlackRounding * greatest_multiplier();
+  // The worst residual over its tolerance. Multipliers that oppose each other may be far greater than what they leave:
+  // their rounding counts as nothing.
+  double error() const {
+    const double greatest = count_ > 0 ? multiplier_.maxCoeff() : 0.0;
+    const double primal = count_ > 0 ? primal_.lpNorm<Eigen::Infinity>() / kPrimalResidual : 0.0;
+    const double dual = dual_.lpNorm<Eigen::Infinity>() / (kDualResidual * goal_ + kRounding * greatest);
+    return std::max({primal, dual, gap_ / (kComplementarity * goal_ + kSlackRounding * greatest)});
   }
-
-  // Multipliers that oppose each other may be far greater than what they leave.
-  double greatest_multiplier() const { return count_ > 0 ? multiplier_.maxCoeff() : 0.0; }
 
   // Newton's matrix H + A^T diag(z / w) A, positive definite.
   bool factorise() {
@@ -115,6 +117,7 @@ class InteriorPoint {
     }
     for (double shift = 0.0; shift < 1e12; shift = std::max(kFirstShift, shift * kShiftGrowth)) {
       factor_.compute(matrix + shift * Eigen::MatrixXd::Identity(size_, size_));
+      shift_ = shift;
       if (factor_.info() == Eigen::Success) return true;
     }
     return false;
@@ -129,7 +132,10 @@ class InteriorPoint {
     const Eigen::VectorXd weight = multiplier_.cwiseQuotient(slack_);
     const Eigen::VectorXd lean = -complement.cwiseQuotient(slack_) - weight.cwiseProduct(primal_);
     Direction d;
-    d.y = factor_.solve(transposed_times(lean) - dual_);
+    const Eigen::VectorXd right = transposed_times(lean) - dual_;
+    d.y = factor_.solve(right);
+    if (shift_ == 0.0)
+      d.y += factor_.solve(right - program_.H * d.y - transposed_times(weight.cwiseProduct(times(d.y))));
     const Eigen::VectorXd rows = times(d.y);
     d.slack = rows + primal_;
     d.multiplier = lean - weight.cwiseProduct(rows);
@@ -168,7 +174,7 @@ class InteriorPoint {
   Eigen::Index size_, count_ = 0;
   Eigen::VectorXd y_, b_, slack_, multiplier_, primal_, dual_;
   int steps_ = 0;
-  double gap_ = 0.0, goal_ = 1.0;
+  double gap_ = 0.0, goal_ = 1.0, shift_ = 0.0;
   Eigen::LLT<Eigen::MatrixXd> factor_;
 };
 
