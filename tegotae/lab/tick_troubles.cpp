@@ -25,7 +25,7 @@ std::string TickTroubles::sentence() const {
   std::string text;
   const auto append = [&text](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   for (const auto& [status, count] : statuses_) append(fmt::format("status '{}' in {} ticks", status, count));
-  if (dropped_ > 0) append(fmt::format("{} planes and points beyond the model's capacity dropped", dropped_));
+  if (dropped_ > 0) append(fmt::format("{} planes, points and pairs beyond a capacity or budget left out", dropped_));
   if (saturated_ > 0) append(fmt::format("displayed force or torque cut to its limit in {} ticks", saturated_));
   return text.empty() ? text : fmt::format("of {} ticks: {}", ticks_, text);
 }

@@ -17,7 +17,7 @@ inline constexpr int kMaxContactPoints = 1024;
 
 /// Pairs of pieces and moving bodies that a model names for methods that find contacts themselves; beyond, the nearest
 /// are kept and the rest is counted in `dropped_pairs`.
-inline constexpr int kMaxNearPieces = 512;
+inline constexpr int kMaxNearPieces = 2048;
 inline constexpr int kMaxNearBodies = 64;
 
 /// A near object as the haptic rate sees it: the plane through the object's closest point, its normal the direction of
@@ -49,6 +49,7 @@ struct NearPieces {
   std::int32_t body_piece = 0;
   std::int32_t near_body = -1;  ///< index in `bodies` of the moving body, -1: static
   double distance = 0.0;        ///< when the model was made, m; negative: penetration depth
+  PlainVector3 n_B{};           ///< unit normal of the plane between them, out of the object, body's frame; 0: unknown
 };
 
 /// A moving body with a piece near the tool.

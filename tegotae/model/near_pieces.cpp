@@ -31,8 +31,9 @@ void name_near_pieces(const SceneGeometry& geometry, std::span<const NearPair> p
       ++model.dropped_pairs;
       continue;
     }
-    model.pairs[static_cast<size_t>(model.pair_count++)] = {pair.tool_piece, pair.body, pair.body_piece, near_body,
-                                                            pair.distance};
+    const Pose X_WB = near_body < 0 ? body.X_WB : model.bodies[static_cast<size_t>(near_body)].X_WB.pose();
+    model.pairs[static_cast<size_t>(model.pair_count++)] = {
+        pair.tool_piece, pair.body, pair.body_piece, near_body, pair.distance, X_WB.q.conjugate() * pair.n_W};
   }
 }
 

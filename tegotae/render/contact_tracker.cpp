@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/contact/penetration.hpp>
 #include <tegotae/render/contact_tracker.hpp>
 #include <tegotae/render/tolerances.hpp>
 
@@ -9,20 +8,7 @@
 namespace tegotae {
 namespace {
 
-constexpr int kTableSize = 2 * kMaxNearPieces;
 constexpr int kMaxPointsOfPair = 1024;
-
-size_t slot_of(const NearContact& contact) noexcept {
-  const auto mixed = static_cast<std::uint64_t>(contact.tool_piece) * 0x9e3779b97f4a7c15u +
-                     static_cast<std::uint64_t>(contact.body) * 0xc2b2ae3d27d4eb4fu +
-                     static_cast<std::uint64_t>(contact.body_piece) * 0x165667b19e3779f9u;
-  return static_cast<size_t>((mixed ^ (mixed >> 29)) % kTableSize);
-}
-
-double radius_about(const Shape& shape, const Vector3& p_B) {
-  const double own = shape.polytope ? shape.polytope->radius + shape.polytope_error : 0.0;
-  return (shape.X_BS.p - p_B).norm() + own;
-}
 
 int most_vertices(const SceneGeometry& geometry) {
   size_t most = 8;
@@ -34,16 +20,22 @@ int most_vertices(const SceneGeometry& geometry) {
   return static_cast<int>(most);
 }
 
+// What is known of the distance: the gap where it was measured, else the room.
+double known_room(const NearContact& contact) noexcept {
+  return contact.measured && !contact.now.by_plane ? contact.now.gap : contact.room;
+}
+
 }  // namespace
 
 ContactTracker::ContactTracker(const SceneGeometry& geometry, const FrictionSettings& friction)
     : geometry_(geometry),
       friction_(friction),
+      half_space_(make_plane()),
+      pairs_(geometry),
       contacts_(kMaxNearPieces),
-      former_(kMaxNearPieces),
-      table_(kTableSize, -1),
       workspace_(most_vertices(geometry)),
       points_(kMaxPointsOfPair) {
+  queue_.reserve(kMaxNearPieces);
   for (const Shape& piece : geometry.tool.pieces) {
     tool_radius_ = std::max(tool_radius_, radius_about(piece, geometry.tool.mass.centre_of_mass));
   }
@@ -51,7 +43,7 @@ ContactTracker::ContactTracker(const SceneGeometry& geometry, const FrictionSett
 
 void ContactTracker::reset() noexcept {
   count_ = 0;
-  sequence_ = 0;
+  pairs_.reset();
 }
 
 const Shape& ContactTracker::tool_shape(const NearContact& contact) const noexcept {
@@ -62,122 +54,143 @@ const Shape& ContactTracker::body_shape(const NearContact& contact) const noexce
   return geometry_.bodies[static_cast<size_t>(contact.body)].pieces[static_cast<size_t>(contact.body_piece)];
 }
 
-// MuJoCo's rules: the greater coefficient, and frictionless only where both ask for it.
-FrictionLaw ContactTracker::friction_between(const Shape& a, const Shape& b) const noexcept {
-  FrictionLaw law;
-  law.compliance = friction_.compliance;
-  if (a.frictionless && b.frictionless) return law;
-  law.static_coefficient = friction_.coefficient.value_or(friction_.scale * std::max(a.friction, b.friction));
-  law.kinetic_coefficient = friction_.kinetic * law.static_coefficient;
-  law.viscous = friction_.viscous;
-  return law;
+PlacedShape ContactTracker::placed_tool(const NearContact& contact, const Pose& X_WP) const noexcept {
+  return {tool_shape(contact), X_WP};
+}
+
+PlacedShape ContactTracker::placed_object(const NearContact& contact) const noexcept {
+  return {body_shape(contact), contact.X_WB};
 }
 
 void ContactTracker::take(const IntermediateRepresentation& model, const Pose& X_WP) noexcept {
-  skipped_ = measured_ = 0;
-  if (model.sequence != sequence_) take_pairs(model);
-  sequence_ = model.sequence;
-  move_objects(model, X_WP);
+  skipped_ = measured_ = trials_ = 0;
+  if (pairs_.take(model, X_WP)) rename_contacts();
+  leave_unserved();
+  follow_objects(X_WP);
 }
 
-int ContactTracker::find(const NearContact& wanted) const noexcept {
-  for (size_t slot = slot_of(wanted); table_[slot] >= 0; slot = (slot + 1) % kTableSize) {
-    if (former_[static_cast<size_t>(table_[slot])].is_same_pair(wanted)) return table_[slot];
+// A contact whose pair physics no longer names is forgotten.
+void ContactTracker::rename_contacts() noexcept {
+  int kept = 0;
+  for (NearContact& contact : contacts()) {
+    contact.pair = pairs_.renamed(contact.pair);
+    if (contact.pair < 0) continue;
+    pairs_[contact.pair].contact = kept;
+    contacts_[static_cast<size_t>(kept++)] = contact;
   }
-  return -1;
+  count_ = kept;
 }
 
-void ContactTracker::take_pairs(const IntermediateRepresentation& model) noexcept {
-  contacts_.swap(former_);
-  former_count_ = count_;
-  std::fill(table_.begin(), table_.end(), -1);
-  for (int i = 0; i < former_count_; ++i) {
-    size_t slot = slot_of(former_[static_cast<size_t>(i)]);
-    while (table_[slot] >= 0) slot = (slot + 1) % kTableSize;
-    table_[slot] = i;
-  }
-  count_ = 0;
-  for (const NearPieces& pair : model.used_pairs()) {
-    NearContact& contact = contacts_[static_cast<size_t>(count_++)];
-    contact = {};
-    contact.tool_piece = pair.tool_piece;
-    contact.body = pair.body;
-    contact.body_piece = pair.body_piece;
-    const int known = find(contact);
-    if (known >= 0) {
-      contact = former_[static_cast<size_t>(known)];
+void ContactTracker::leave_unserved() noexcept {
+  int kept = 0;
+  for (NearContact& contact : contacts()) {
+    if (!contact.served && !contact.measured && !contact.bristle.is_loaded()) {
+      pairs_.put_back(contact.pair, contact.room, contact.now.n_W, contact.cache);
       continue;
     }
-    const Body& body = geometry_.bodies[static_cast<size_t>(pair.body)];
-    contact.moving_index = body.moving_index;
-    contact.X_WB = pair.near_body >= 0 ? model.bodies[static_cast<size_t>(pair.near_body)].X_WB.pose() : body.X_WB;
-    contact.friction = friction_between(tool_shape(contact), body_shape(contact));
+    contact.served = contact.skipped = false;
+    // A plane stands in for one tick at most.
+    if (contact.now.by_plane) contact.measured = false;
+    pairs_[contact.pair].contact = kept;
+    NearContact& place = contacts_[static_cast<size_t>(kept++)];
+    if (&place != &contact) place = contact;
   }
+  count_ = kept;
 }
 
-void ContactTracker::move_objects(const IntermediateRepresentation& model, const Pose& X_WP) noexcept {
-  for (int i = 0; i < count_; ++i) {
-    const int near_body = model.pairs[static_cast<size_t>(i)].near_body;
-    NearContact& contact = contacts_[static_cast<size_t>(i)];
+void ContactTracker::follow_objects(const Pose& X_WP) noexcept {
+  for (NearContact& contact : contacts()) {
     contact.deepened = 0.0;
+    const int near_body = pairs_[contact.pair].near_body;
     if (near_body < 0) continue;
-    const NearBody& body = model.bodies[static_cast<size_t>(near_body)];
-    const Pose X_WB = body.X_WB;
+    const TrackedBody& body = pairs_.moving(near_body);
     contact.p_WC = body.p_WC;
-    const Vector3 p_BC = geometry_.bodies[static_cast<size_t>(contact.body)].p_BC;
-    const Vector6 way = displacement(contact.X_WB, X_WB, p_BC);
-    const double most = way.head<3>().norm() + way.tail<3>().norm() * radius_about(body_shape(contact), p_BC);
+    const double most = body.linear + body.angular * radius_about(body_shape(contact), body.p_BC);
     if (most == 0.0) continue;
-    if (contact.measured) contact.room = contact.now.gap;
-    contact.room -= most;
+    contact.room = known_room(contact) - most;
     contact.deepened = most;
     contact.measured = false;
-    contact.bristle.follow_object(contact.X_WB, X_WB, X_WP, contact.now.n_W);
-    contact.X_WB = X_WB;
+    contact.bristle.follow_object(contact.X_WB, body.X_WB, X_WP, contact.now.n_W);
+    contact.now.n_W = body.X_WB.q * (contact.X_WB.q.conjugate() * contact.now.n_W);
+    contact.X_WB = body.X_WB;
   }
 }
 
-bool ContactTracker::spend() noexcept {
-  if (measured_ >= tolerance::kDistanceBudget) {
-    ++skipped_;
-    return false;
-  }
-  ++measured_;
-  return true;
+// A far pair becomes a contact.
+int ContactTracker::enter(int pair) noexcept {
+  const TrackedPair& tracked = pairs_[pair];
+  NearContact& contact = contacts_[static_cast<size_t>(count_)];
+  contact = {};
+  contact.tool_piece = tracked.tool_piece;
+  contact.body = tracked.body;
+  contact.body_piece = tracked.body_piece;
+  contact.moving_index = geometry_.bodies[static_cast<size_t>(tracked.body)].moving_index;
+  contact.pair = pair;
+  contact.X_WB = pairs_.pose_of(tracked);
+  if (tracked.near_body >= 0) contact.p_WC = pairs_.moving(tracked.near_body).p_WC;
+  contact.now.n_W = contact.X_WB.q * tracked.n_B;
+  contact.cache = tracked.cache;
+  contact.friction = friction_law(scene_friction(tool_shape(contact), body_shape(contact)), friction_);
+  contact.room = pairs_.take_out(pair, count_);
+  return count_++;
 }
 
-// A pair that is not separated has the plane of the least way out, followed from the last normal: a tool in a thin
-// plate is put back to the side that it came from.
-Facing ContactTracker::face(NearContact& contact, const Pose& X_WP) noexcept {
-  const PlacedShape tool(tool_shape(contact), X_WP), object(body_shape(contact), contact.X_WB);
-  const ClosestPoints closest = closest_points(tool, object, contact.cache);
-  if (closest.separation == Separation::kSeparated) {
-    return {true, closest.distance, closest.p_WA, closest.p_WB, closest.n_W};
+// The plane along the last normal stands in for a measurement.
+void ContactTracker::fall_back(NearContact& contact, const Pose& X_WP, Facing& facing) noexcept {
+  if (!contact.skipped) ++skipped_;
+  contact.skipped = true;
+  facing = facing_along(placed_tool(contact, X_WP), placed_object(contact), contact.now.n_W, contact.cache);
+}
+
+void ContactTracker::serve(NearContact& contact, const Pose& X_WP) noexcept {
+  if (measured_ < tolerance::kDistanceBudget) {
+    ++measured_;
+    contact.now = measured_facing(placed_tool(contact, X_WP), placed_object(contact), contact.now.n_W, contact.cache);
+    contact.room = contact.now.gap;
+  } else {
+    fall_back(contact, X_WP, contact.now);
+    contact.room = std::max(contact.room, contact.now.gap);
   }
-  const bool known = contact.now.n_W.squaredNorm() > 0.5;
-  const Penetration depth =
-      known ? penetration_from(tool, object, contact.now.n_W, contact.cache) : penetration(tool, object, contact.cache);
-  if (depth.valid) return {false, -depth.depth, depth.p_WA, depth.p_WB, depth.n_W};
-  // No answer: the plane along the last normal that just touches the object.
-  const Vector3 n_W = known ? contact.now.n_W : Vector3(closest.n_W);
-  Facing facing{false, 0.0, tool.to_world(support(*tool.shape, -(tool.R_WS.transpose() * n_W)).p), object.p_WS, n_W};
-  if (object.shape->is_bounded()) {
-    facing.p_WB = object.to_world(support(*object.shape, object.R_WS.transpose() * n_W).p);
+  contact.measured = contact.served = true;
+}
+
+// Without any measured contact: the pair with least room is the first to be asked.
+void ContactTracker::enter_nearest() noexcept {
+  double room = NearPairs::kFar;
+  for (const NearContact& contact : contacts()) room = std::min(room, contact.room);
+  const int pair = pairs_.nearest_below(room);
+  if (pair >= 0) enter(pair);
+}
+
+// Contacts not yet measured whose room is at most `limit`; nearest first where the budget may not suffice for all.
+void ContactTracker::queue_unmeasured(double limit) noexcept {
+  queue_.clear();
+  for (int i = 0; i < count_; ++i) {
+    const NearContact& contact = contacts_[static_cast<size_t>(i)];
+    if (!contact.measured && contact.room <= limit) queue_.emplace_back(contact.room, i);
   }
-  facing.gap = n_W.dot(facing.p_WA - facing.p_WB);
-  return facing;
+  if (measured_ + static_cast<int>(queue_.size()) > tolerance::kDistanceBudget) std::sort(queue_.begin(), queue_.end());
 }
 
 double ContactTracker::measure(const Pose& X_WP, double margin) noexcept {
-  double least = 1e300;
+  double least = NearPairs::kFar;
   for (const NearContact& contact : contacts()) {
     if (contact.measured) least = std::min(least, contact.now.gap);
   }
-  for (NearContact& contact : contacts()) {
-    if (contact.measured || contact.room > std::max(least, 0.0) + margin || !spend()) continue;
-    contact.now = face(contact, X_WP);
-    contact.room = contact.now.gap;
-    contact.measured = true;
+  if (least == NearPairs::kFar) {
+    enter_nearest();
+    const auto nearer = [](const NearContact& a, const NearContact& b) { return a.room < b.room; };
+    const auto nearest = std::min_element(contacts().begin(), contacts().end(), nearer);
+    if (nearest == contacts().end()) return least;
+    serve(*nearest, X_WP);
+    least = nearest->now.gap;
+  }
+  pairs_.visit_within(std::max(least, 0.0) + margin, [this](int pair) { enter(pair); });
+  queue_unmeasured(std::max(least, 0.0) + margin);
+  for (const auto& [room, i] : queue_) {
+    if (room > std::max(least, 0.0) + margin) continue;
+    NearContact& contact = contacts_[static_cast<size_t>(i)];
+    serve(contact, X_WP);
     least = std::min(least, contact.now.gap);
   }
   return least;
@@ -198,9 +211,14 @@ bool ContactTracker::may_stand(const NearContact& contact, double way, double sk
 bool ContactTracker::examine(const Pose& X_WP, double way, double skin) noexcept {
   for (NearContact& contact : contacts()) contact.tried = false;
   for (NearContact& contact : contacts()) {
-    if (!contact.measured && contact.room < way) ++skipped_;  // over budget: nothing is known of it
     if (!contact.measured || contact.now.gap - way > skin) continue;
-    contact.trial = face(contact, X_WP);
+    if (!contact.now.by_plane && trials_ < tolerance::kTrialBudget) {
+      ++trials_;
+      contact.trial =
+          measured_facing(placed_tool(contact, X_WP), placed_object(contact), contact.now.n_W, contact.cache);
+    } else {
+      fall_back(contact, X_WP, contact.trial);
+    }
     contact.tried = true;
     if (!may_stand(contact, way, skin)) return false;
   }
@@ -208,21 +226,25 @@ bool ContactTracker::examine(const Pose& X_WP, double way, double skin) noexcept
 }
 
 void ContactTracker::accept(double way) noexcept {
+  pairs_.travel(way);
   for (NearContact& contact : contacts()) {
-    if (contact.tried) {
-      contact.turned = (contact.trial.n_W - contact.now.n_W).norm();
-      contact.now = contact.trial;
-      contact.room = contact.now.gap;
-    } else {
-      contact.room = (contact.measured ? contact.now.gap : contact.room) - way;
-      contact.measured = false;
-    }
+    const double left = known_room(contact) - way;
+    contact.measured = contact.tried && !contact.trial.by_plane;
+    contact.room = left;
+    if (!contact.tried) continue;
+    contact.turned = (contact.trial.n_W - contact.now.n_W).norm();
+    contact.now = contact.trial;
+    contact.room = contact.now.by_plane ? std::max(left, contact.now.gap) : contact.now.gap;
   }
 }
 
 std::span<const OverlayPoint> ContactTracker::points(const NearContact& contact, const Pose& X_WP,
                                                      double reach) noexcept {
-  const PlacedShape tool(tool_shape(contact), X_WP), object(body_shape(contact), contact.X_WB);
+  const PlacedShape tool = placed_tool(contact, X_WP);
+  PlacedShape object = placed_object(contact);
+  if (contact.now.by_plane) {
+    object = {half_space_, {contact.now.p_WB, Quaternion::FromTwoVectors(Vector3::UnitZ(), contact.now.n_W)}};
+  }
   OverlayQuery query;
   query.tool = &tool;
   query.object = &object;

@@ -4,27 +4,24 @@
 #include <tegotae/contact/overlay.hpp>
 #include <tegotae/model/intermediate_representation.hpp>
 #include <tegotae/model/scene_geometry.hpp>
+#include <tegotae/render/friction_rule.hpp>
 #include <tegotae/render/near_contact.hpp>
+#include <tegotae/render/near_pairs.hpp>
 
-#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tegotae {
 
-/// How the friction of pairs is found.
-struct FrictionSettings {
-  std::optional<double> coefficient;  ///< of all pairs, in place of the scene's
-  double scale = 1.0;                 ///< of the scene's coefficients
-  double kinetic = 1.0;               ///< while slipping, as a part of the coefficient
-  double viscous = 0.0;               ///< N s/m
-  double compliance = 1e-9;           ///< m/N, of the bristles
-};
-
 /// Follows the near pairs of pieces at the haptic rate: which there are comes from physics, how they face each other is
 /// measured here, at the proxy's pose. Only pairs that the next step could bring into contact are measured: of all
-/// others a lower bound of the distance is kept, from which every motion is taken off, so a pair far off costs one
-/// subtraction. Construction allocates; the rest does not. Keeps a reference to the geometry.
+/// others a lower bound of the distance is kept (NearPairs).
+///
+/// Measurements have a budget, spent on the nearest first. A pair that gets none is counted, and its last plane stands
+/// in: the tool's part above the plane that supports the object, normal to the last normal. It guards more than the
+/// object does (a plane has no edge), never less, until the pair's turn comes.
+/// Construction allocates; the rest does not. Keeps a reference to the geometry.
 class ContactTracker {
  public:
   ContactTracker(const SceneGeometry& geometry, const FrictionSettings& friction);
@@ -48,35 +45,41 @@ class ContactTracker {
 
   void reset() noexcept;
 
+  /// The pairs that were within reach of late.
   std::span<NearContact> contacts() noexcept { return {contacts_.data(), static_cast<size_t>(count_)}; }
   double tool_radius() const noexcept { return tool_radius_; }  ///< from the centre of mass, m
-  int skipped() const noexcept { return skipped_; }    ///< measurements over budget and points left out, this tick
-  int measured() const noexcept { return measured_; }  ///< distance queries of this tick
+  int skipped() const noexcept { return skipped_; }    ///< pairs without a measurement and points left out, this tick
+  int measured() const noexcept { return measured_; }  ///< distance queries for refreshing pairs, this tick
 
  private:
-  void take_pairs(const IntermediateRepresentation& model) noexcept;
-  void move_objects(const IntermediateRepresentation& model, const Pose& X_WP) noexcept;
-  int find(const NearContact& wanted) const noexcept;
-  FrictionLaw friction_between(const Shape& a, const Shape& b) const noexcept;
-  Facing face(NearContact& contact, const Pose& X_WP) noexcept;
+  void rename_contacts() noexcept;
+  void leave_unserved() noexcept;
+  void follow_objects(const Pose& X_WP) noexcept;
+  int enter(int pair) noexcept;
+  void enter_nearest() noexcept;
+  void queue_unmeasured(double limit) noexcept;
+  void serve(NearContact& contact, const Pose& X_WP) noexcept;
+  void fall_back(NearContact& contact, const Pose& X_WP, Facing& facing) noexcept;
   bool may_stand(const NearContact& contact, double way, double skin) const noexcept;
-  bool spend() noexcept;
+  PlacedShape placed_tool(const NearContact& contact, const Pose& X_WP) const noexcept;
+  PlacedShape placed_object(const NearContact& contact) const noexcept;
   const Shape& tool_shape(const NearContact& contact) const noexcept;
   const Shape& body_shape(const NearContact& contact) const noexcept;
 
   const SceneGeometry& geometry_;
   FrictionSettings friction_;
   double tool_radius_ = 0.0;
+  Shape half_space_;  ///< stands in for objects whose plane does
 
-  std::vector<NearContact> contacts_, former_;
+  NearPairs pairs_;
+  std::vector<NearContact> contacts_;
   int count_ = 0;
-  int former_count_ = 0;
-  std::vector<int> table_;  ///< of former_, open addressing by pieces; -1: free
-  std::uint64_t sequence_ = 0;
+  std::vector<std::pair<double, int>> queue_;  ///< room and place of the contacts to measure
   OverlayWorkspace workspace_;
   std::vector<OverlayPoint> points_;
   int skipped_ = 0;
   int measured_ = 0;
+  int trials_ = 0;
 };
 
 }  // namespace tegotae

@@ -57,6 +57,7 @@ void ProxyMethod::render(const RenderInput& input, RenderOutput& output) noexcep
   tracker_.take(input.model, X_WP_);
   X_WP_start_ = X_WP_;
   push_out_ = tolerance::kPushOutSpeed * input.dt;
+  left_out_ = 0;
   double margin = first_margin(input);
   for (bool settled = false; !settled && output.linearisations < tolerance::kLinearisations;) {
     ++output.linearisations;
@@ -193,7 +194,7 @@ void ProxyMethod::display(const RenderInput& input, RenderOutput& output) noexce
   const Vector6 felt = displacement(input.X_WT, X_WP_, mass_.centre_of_mass);
   output.wrench = parameters_.coupling.wrench(felt, displacement_before_, input.dt);
   output.X_WP = X_WP_;
-  output.skipped_pairs += tracker_.skipped();
+  output.skipped_pairs += tracker_.skipped() + left_out_;
   output.active_count = rows_.empty() ? 0 : static_cast<int>(solution_.active_rows.size());
   push_bodies(output);
   feel_impact(input, output);

@@ -102,6 +102,7 @@ class ProxyMethod {
 
   bool started_ = false;
   bool touched_ = false;
+  int left_out_ = 0;                        ///< points without a row, this tick
   Pose X_WP_;                               ///< the proxy
   Pose X_WP_start_;                         ///< at the start of the tick
   double push_out_ = 0.0;                   ///< m that the tool may still be pushed out of something in this tick

@@ -13,15 +13,20 @@ void ProxyMethod::collect_rows(double reach) noexcept {
   for (size_t i = 0; i < contacts.size(); ++i) {
     const NearContact& contact = contacts[i];
     if (!contact.measured || contact.now.gap >= reach) continue;
-    for (const OverlayPoint& point : tracker_.points(contact, X_WP_, reach)) {
-      if (rows_.size() == rows_.capacity()) return;
-      rows_.push_back({static_cast<int>(i), point.p_WA, point.gap});
+    const auto points = tracker_.points(contact, X_WP_, reach);
+    // Every contact to come has room for its nearest point.
+    const size_t room = rows_.capacity() - rows_.size() - (contacts.size() - i - 1);
+    if (points.size() > room) {
+      rows_.push_back({static_cast<int>(i), contact.now.p_WA, contact.now.gap});
+      left_out_ += static_cast<int>(points.size()) - 1;
+      continue;
     }
+    for (const OverlayPoint& point : points) rows_.push_back({static_cast<int>(i), point.p_WA, point.gap});
   }
 }
 
 // With `push_out` every point is asked to keep the skin; without, those of pairs that overlap are only asked to undo
-// what the object's own motion did.
+// what the object's own motion did. So are those below a plane that stands in: the object may have no part there.
 void ProxyMethod::fill_problem(const RenderInput& input, const Vector3& p_WCm, bool push_out) noexcept {
   const Matrix6 K = problem_.K();
   const Vector6 x_free = problem_.x_free();
@@ -34,7 +39,8 @@ void ProxyMethod::fill_problem(const RenderInput& input, const Vector3& p_WCm, b
   for (const RowSource& source : rows_) {
     const NearContact& contact = contacts[static_cast<size_t>(source.contact)];
     double target = skin_;
-    if (!push_out && contact.now.gap < 0.0) target = std::min(skin_, source.gap + contact.deepened);
+    if ((!push_out || contact.now.by_plane) && contact.now.gap < 0.0)
+      target = std::min(skin_, source.gap + contact.deepened);
     Vector6 J;
     J << contact.now.n_W, (source.p_W - p_WCm).cross(contact.now.n_W);
     problem_.add_contact(J, target - source.gap, compliance);
@@ -64,7 +70,7 @@ void ProxyMethod::add_friction(const RenderInput& input, const Vector3& p_WCm) n
 bool ProxyMethod::is_inside() noexcept {
   const auto contacts = tracker_.contacts();
   return std::any_of(contacts.begin(), contacts.end(), [](const NearContact& contact) {
-    return contact.measured && contact.now.gap + contact.deepened < 0.0;
+    return contact.measured && !contact.now.by_plane && contact.now.gap + contact.deepened < 0.0;
   });
 }
 

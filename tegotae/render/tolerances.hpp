@@ -89,4 +89,7 @@ inline constexpr double kBristleCompliance = 1e-5;
 /// Distance queries that one tick may ask for refreshing pairs: at half a microsecond each a tenth of a tick.
 inline constexpr int kDistanceBudget = 200;
 
+/// Distance queries that one tick may ask for examining poses, each of up to four linearisations: twice as many.
+inline constexpr int kTrialBudget = 400;
+
 }  // namespace tegotae::tolerance

@@ -112,7 +112,7 @@ void HapticTick::write(const IntermediateRepresentation& model, const Wrench& di
   record.constraints = rendered_.constraint_count;
   record.active = rendered_.active_count;
   record.solver_iterations = rendered_.solver_iterations;
-  record.dropped = model.dropped_planes + model.dropped_points + model.dropped_pairs;
+  record.dropped = model.dropped_planes + model.dropped_points + model.dropped_pairs + rendered_.skipped_pairs;
   record.status = static_cast<std::uint8_t>(rendered_.status);
 }
 

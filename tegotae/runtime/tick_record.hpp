@@ -24,7 +24,7 @@ struct TickRecord {
   std::int32_t constraints = 0;
   std::int32_t active = 0;
   std::int32_t solver_iterations = 0;
-  std::int32_t dropped = 0;  ///< planes and points beyond the capacity of the model
+  std::int32_t dropped = 0;  ///< planes, points and pairs beyond a capacity or the tick's budget
   std::uint8_t status = 0;   ///< RenderStatus
   std::uint32_t safety_events = 0;
   double tick_us = 0.0;  ///< wall-clock time of the tick, microseconds; the one value that does not repeat

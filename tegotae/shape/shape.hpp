@@ -32,6 +32,7 @@ struct Shape {
   Pose X_BS;                  ///< the shape's frame on its body
   double friction = 1.0;      ///< Coulomb coefficient of sliding, dimensionless
   bool frictionless = false;  ///< the scene asks for frictionless contact (MJCF condim 1)
+  int priority = 0;           ///< of unequal ones the greater says how the pair rubs (MJCF priority)
   int contact_type = 1;       ///< bit masks of the scene's contact filter (MJCF contype, conaffinity)
   int contact_affinity = 1;
 

@@ -104,6 +104,7 @@ Shape shape_of_geom(const mjModel_& model, int geom, const std::string& file, st
   }
   shape.friction = model.geom_friction[3 * static_cast<std::ptrdiff_t>(geom)];
   shape.frictionless = model.geom_condim[geom] == 1;
+  shape.priority = model.geom_priority[geom];
   shape.contact_type = model.geom_contype[geom];
   shape.contact_affinity = model.geom_conaffinity[geom];
   return shape;

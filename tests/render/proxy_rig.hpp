@@ -30,8 +30,12 @@ class ProxyRig {
 
   /// Returns the body's index.
   int add_body(const Shape& shape, const Pose& X_WB = {}, bool moves = false) {
+    return add_body(std::vector<Shape>{shape}, X_WB, moves);
+  }
+
+  int add_body(std::vector<Shape> pieces, const Pose& X_WB = {}, bool moves = false) {
     Body body;
-    body.pieces = {shape};
+    body.pieces = std::move(pieces);
     body.X_WB = X_WB;
     if (moves) body.moving_index = scene.moving_count++;
     scene.bodies.push_back(body);
