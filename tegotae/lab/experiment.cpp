@@ -23,6 +23,8 @@ void tell_of_paper(Experiment& experiment) {
   for (Figure& figure : experiment.figures) {
     if (!figure.paper_title.empty()) figure.title += " " + figure.paper_title;
   }
+  if (!experiment.notes.empty() && !experiment.paper_notes.empty()) experiment.notes += " ";
+  experiment.notes += experiment.paper_notes;
 }
 
 // Without a set of constraints the variants that ask for one are the same run.
@@ -54,7 +56,6 @@ Experiment described_for(const Experiment& experiment, std::string_view method) 
     tell_of_paper(described);
     return described;
   }
-  described.notes.clear();
   drop_constraint_sets(described);
   drop_curves(described);
   for (Figure& figure : described.figures) figure.title += fmt::format(" (method {})", method);

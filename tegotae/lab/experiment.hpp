@@ -53,13 +53,14 @@ struct Experiment {
   std::vector<Variant> variants;  ///< at least one; the first is written to samples.csv
   ReportedAxis force_axis, torque_axis;
   std::vector<Figure> figures;
-  Reference reference;  ///< what methods are held to; none: not set
-  std::string notes;    ///< what to look at with the paper's method, a few sentences
+  Reference reference;           ///< what methods are held to; none: not set
+  std::string notes;             ///< what ought to be felt, a few sentences
+  std::string paper_notes = {};  ///< what to look at with the paper's method: added to the notes where it is that
 };
 
 /// The experiment as it is performed and described with the method called `method`. For `paper`: titles and summaries
-/// with what they say of the paper. For any other: without that, without the notes and the curves of reference, which
-/// hold for the paper's method alone; variants that differ in the set of constraints become one.
+/// with what they say of the paper. For any other: without that, and without the curves of reference, which hold for
+/// the paper's method alone; variants that differ in the set of constraints become one.
 Experiment described_for(const Experiment& experiment, std::string_view method);
 
 /// All experiments, in the order of the list.

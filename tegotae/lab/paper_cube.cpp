@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/motion.hpp>
+#include <tegotae/lab/offline_reference.hpp>
 #include <tegotae/lab/paper_cube.hpp>
 #include <tegotae/lab/quantities.hpp>
 #include <tegotae/math/rotation.hpp>
@@ -101,6 +102,7 @@ Experiment paper_cube_experiment() {
   experiment.summary = "the paper's section 5: a cube's edge on a floor, turned onto its face and held";
   experiment.scene = "paper-cube.xml";
   experiment.tool = "tool";
+  experiment.settings.friction = 0.0;
   experiment.motion = motion;
   experiment.phases = {{"a", "edge lowered onto the floor", 0.0, kTouched},
                        {"b", "edge turned onto the face", kTouched, kTurned},
@@ -109,7 +111,8 @@ Experiment paper_cube_experiment() {
   experiment.force_axis = {"y", Vector3::UnitY()};
   experiment.torque_axis = {"z", Vector3::UnitZ()};
   experiment.figures = figures();
-  experiment.notes =
+  experiment.reference = offline_reference();
+  experiment.paper_notes =
       "At first touch the centre is above the edge: force without torque. Turning makes the torque grow on the "
       "negative side until just before the face lies flat. With the gyration length the force dips before the face "
       "carries, as the paper saw; with 1 m it does not.";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/motion.hpp>
+#include <tegotae/lab/offline_reference.hpp>
 #include <tegotae/lab/paper_tools.hpp>
 #include <tegotae/lab/quantities.hpp>
 #include <tegotae/math/rotation.hpp>
@@ -57,6 +58,7 @@ Experiment press_and_roll(const std::string& name, const std::string& summary) {
   experiment.summary = summary;
   experiment.scene = name + ".xml";
   experiment.tool = "tool";
+  experiment.settings.friction = 0.0;
   experiment.motion = motion;
   experiment.phases = {{"a", "lowered onto the floor", 0.0, kTouched},
                        {"b", "pressed", kTouched, kPressed},
@@ -66,7 +68,8 @@ Experiment press_and_roll(const std::string& name, const std::string& summary) {
   experiment.force_axis = {"z", Vector3::UnitZ()};
   experiment.torque_axis = {"y", Vector3::UnitY()};
   experiment.figures = figures();
-  experiment.notes =
+  experiment.reference = offline_reference();
+  experiment.paper_notes =
       "Force and torque follow the tool's shape; pressing until all vertices below are in the floor does not change "
       "the force abruptly.";
   return experiment;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/motion.hpp>
+#include <tegotae/lab/offline_reference.hpp>
 #include <tegotae/lab/quantities.hpp>
 #include <tegotae/lab/tilt_sweep.hpp>
 #include <tegotae/math/rotation.hpp>
@@ -43,6 +44,7 @@ Experiment tilt_sweep_experiment() {
   experiment.summary = "the paper's cube, 0.3 mm too low, swept through the flat pose: is the force continuous?";
   experiment.scene = "paper-cube.xml";
   experiment.tool = "tool";
+  experiment.settings.friction = 0.0;
   experiment.motion = motion;
   experiment.phases = {{"a", "swept to the flat pose", 0.0, 0.5 * kDuration},
                        {"b", "swept on", 0.5 * kDuration, kDuration}};
@@ -57,7 +59,8 @@ Experiment tilt_sweep_experiment() {
   figure.panels = {{"f_y [N]", both_sets(force_along(Vector3::UnitY()))},
                    {"{/Symbol t}_z [N m]", both_sets(torque_along(Vector3::UnitZ()))}};
   experiment.figures = {figure};
-  experiment.notes =
+  experiment.reference = offline_reference();
+  experiment.paper_notes =
       "With penetrating points only, a point that begins to penetrate makes the present solution infeasible at once "
       "and the force jumps. With all near points the solution, and so the force, is continuous.";
   return experiment;

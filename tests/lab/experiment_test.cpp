@@ -19,9 +19,10 @@ TEST(Experiments, HaveNamesOfTheirOwnAndAllThatARunNeeds) {
   for (const Experiment& experiment : experiments()) {
     EXPECT_TRUE(names.insert(experiment.name).second) << experiment.name;
     EXPECT_FALSE(experiment.summary.empty());
-    EXPECT_FALSE(experiment.notes.empty());
+    EXPECT_FALSE(experiment.notes.empty() && experiment.paper_notes.empty());
     EXPECT_FALSE(experiment.phases.empty());
     EXPECT_FALSE(experiment.figures.empty());
+    EXPECT_TRUE(experiment.reference) << experiment.name;
     ASSERT_FALSE(experiment.variants.empty());
     EXPECT_EQ(&find_experiment(experiment.name), &experiment);
   }
@@ -48,13 +49,14 @@ TEST(Experiments, DescribedForThePaperTellOfIt) {
   const Experiment cube = described_for(find_experiment("paper-cube"), "paper");
   EXPECT_THAT(cube.variants[0].summary, HasSubstr("the paper's equations"));
   EXPECT_THAT(cube.figures[0].title, HasSubstr("the paper's figure 5"));
-  EXPECT_FALSE(cube.notes.empty());
+  EXPECT_THAT(cube.notes, HasSubstr("as the paper saw"));
 }
 
 TEST(Experiments, DescribedForAnotherMethodDoNotSpeakOfThePapers) {
   for (const Experiment& experiment : experiments()) {
     const Experiment described = described_for(experiment, "adachi");
-    EXPECT_EQ(described.notes, "");
+    EXPECT_THAT(described.notes, testing::Not(HasSubstr("paper")));
+    EXPECT_EQ(described.notes, experiment.notes);
     for (const Variant& variant : described.variants) {
       EXPECT_THAT(variant.summary, testing::Not(HasSubstr("paper")));
       EXPECT_FALSE(variant.settings.constraint_set.has_value());
