@@ -15,7 +15,8 @@ inline constexpr double kReferenceHandStep = 1e-4;
 /// (Farkas), so the planes are unknowns beside the pose and neither distances nor contact points are computed. Walls
 /// that contradict each other get the pose of least sum of squared deepest violations. Spheres and capsules are exact;
 /// cylinders and ellipsoids are their inscribed polytopes; moving bodies stay where they are first.
-/// A tick is undefined before the hand has once been outside everything, and where the solution did not converge.
+/// What the hand starts less than 1 mm inside pushes the tool out; starting deeper, the ticks are undefined until the
+/// hand is outside. So is a tick at which the solution did not converge.
 /// `hand_step` (m): the hand's way from solution to solution. The reference allocates, and works a few milliseconds
 /// a tick.
 Reference offline_reference(double hand_step = kReferenceHandStep);

@@ -20,6 +20,7 @@ constexpr double kExhausted = 1e-17;        // the same: nothing is left to gain
 constexpr double kGoodEnough = 1e3;         // of these tolerances, where rounding stops progress
 constexpr double kFirstShift = 1e-6;        // of Newton's matrix
 constexpr double kShiftGrowth = 10.0;
+constexpr int kShifts = 20;
 constexpr double kLeastStep = 1e-12;
 constexpr int kCorrectedSteps = 25;  // far more than programs need that do not cycle
 constexpr double kPlainCentring = 0.3;
@@ -115,10 +116,11 @@ class InteriorPoint {
       matrix(group.columns, group.columns) += part;
       first += rows;
     }
-    for (double shift = 0.0; shift < 1e12; shift = std::max(kFirstShift, shift * kShiftGrowth)) {
-      factor_.compute(matrix + shift * Eigen::MatrixXd::Identity(size_, size_));
-      shift_ = shift;
+    shift_ = 0.0;
+    for (int attempt = 0; attempt < kShifts; ++attempt) {
+      factor_.compute(matrix + shift_ * Eigen::MatrixXd::Identity(size_, size_));
       if (factor_.info() == Eigen::Success) return true;
+      shift_ = std::max(kFirstShift, shift_ * kShiftGrowth);
     }
     return false;
   }

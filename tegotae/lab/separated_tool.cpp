@@ -9,13 +9,15 @@
 namespace tegotae {
 namespace {
 
-constexpr double kTrust = 1e-4;          // m: greatest step, far below any feature that a hand tells apart
-constexpr double kLeastTrust = 1e-11;    // m: no step that small is refused but by rounding
-constexpr double kConverged = 1e-9;      // m: of the step, of violations
-constexpr double kTurned = 1e-5;         // rad that the planes of loaded pairs still turn by
-constexpr double kTouch = 1e-12;         // m of displacement, that a pushing force stretches the coupling by
-constexpr int kPrograms = 3000;          // of one step of the hand: a leap of 10 cm
-constexpr double kReach = 2.0 * kTrust;  // m: a step moves no point further, so pairs further apart wait
+constexpr double kTrust = 1e-4;               // m: greatest step, far below any feature that a hand tells apart
+constexpr double kLeastTrust = 1e-11;         // m: no step that small is refused but by rounding
+constexpr double kShrink = 0.3, kGrow = 2.0;  // of the trust, after a step that was refused or taken
+constexpr double kRounding = 1e-12;           // of the value that a step must not increase
+constexpr double kConverged = 1e-9;           // m: of the step, of violations
+constexpr double kTurned = 1e-5;              // rad that the planes of loaded pairs still turn by
+constexpr double kTouch = 1e-12;              // m of displacement, that a pushing force stretches the coupling by
+constexpr int kPrograms = 3000;               // of one step of the hand: a leap of 10 cm
+constexpr double kReach = 2.0 * kTrust;       // m: a step moves no point further, so pairs further apart wait
 
 }  // namespace
 
@@ -106,15 +108,23 @@ void SeparatedTool::remember(std::span<const PlanePair> pairs) {
   }
 }
 
-double SeparatedTool::value_at(const Pose& X_WP, const Pose& X_WH, std::span<const PlanePair> pairs,
-                               std::vector<ConvexCore>& placed) {
+void SeparatedTool::place_trial(const Pose& X_WP) {
+  for (size_t i = 0; i < trial_.size(); ++i) place(tool_local_[i], X_WP, trial_[i]);
+}
+
+// The gap that the pair's plane proves where the tool is tried.
+double SeparatedTool::trial_gap(const PlanePair& pair) const {
+  return gap_along(trial_[static_cast<size_t>(pair.above - tool_.data())], *pair.below, pair.n);
+}
+
+// What is minimised, over the stiffness, m^2. Leaves the tool's pieces at `X_WP` in `trial_`.
+double SeparatedTool::value_at(const Pose& X_WP, const Pose& X_WH, std::span<const PlanePair> pairs) {
   const Vector6 stretch = displacement(X_WH, X_WP, centre());
   const double l2 = parameters_.metric_length * parameters_.metric_length;
   double value = 0.5 * (stretch.head<3>().squaredNorm() + l2 * stretch.tail<3>().squaredNorm());
-  for (size_t i = 0; i < placed.size(); ++i) place(tool_local_[i], X_WP, placed[i]);
+  place_trial(X_WP);
   for (const PlanePair& pair : pairs) {
-    const ConvexCore& above = placed[static_cast<size_t>(pair.above - tool_.data())];
-    const double violation = std::max(0.0, parameters_.skin - gap_along(above, *pair.below, pair.n));
+    const double violation = std::max(0.0, parameters_.skin - trial_gap(pair));
     value += 0.5 * kViolationWeight * violation * violation;
   }
   return value;
@@ -123,11 +133,9 @@ double SeparatedTool::value_at(const Pose& X_WP, const Pose& X_WH, std::span<con
 // Where the hand is near and nothing is in its way, the tool is there exactly.
 bool SeparatedTool::jump_to_hand(const Pose& X_WH) {
   if (way(displacement(X_WP_, X_WH, centre())) > kTrust) return false;
-  for (size_t i = 0; i < trial_.size(); ++i) place(tool_local_[i], X_WH, trial_[i]);
-  for (const PlanePair& pair : near_) {
-    const ConvexCore& above = trial_[static_cast<size_t>(pair.above - tool_.data())];
-    if (gap_along(above, *pair.below, pair.n) < parameters_.skin) return false;
-  }
+  place_trial(X_WH);
+  for (const PlanePair& pair : near_)
+    if (trial_gap(pair) < parameters_.skin) return false;
   for (Tracked& pair : tracked_) {
     pair.load = pair.slack = 0.0;
     pair.load_moment.setZero();
@@ -137,51 +145,54 @@ bool SeparatedTool::jump_to_hand(const Pose& X_WH) {
   return true;
 }
 
-// Whether the planes that carry load stand still, and keep the tool as far from the bodies as they promise.
-bool SeparatedTool::planes_hold(std::span<const PlanePair> before, std::span<const PlanePair> after,
-                                std::span<const ConvexCore> placed) const {
-  for (size_t j = 0; j < after.size(); ++j) {
-    const PlanePair& pair = after[j];
-    const ConvexCore& above = placed[static_cast<size_t>(pair.above - tool_.data())];
-    if (gap_along(above, *pair.below, pair.n) < parameters_.skin - pair.slack - kConverged) return false;
-    if (pair.load > kTouch && (pair.n - before[j].n).norm() > kTurned) return false;
+// Whether the planes that carry load stand still, and keep the tool, on trial, as far from the bodies as they promise.
+bool SeparatedTool::planes_hold(std::span<const PlanePair> pairs) const {
+  for (size_t j = 0; j < pairs.size(); ++j) {
+    const PlanePair& pair = pairs[j];
+    if (trial_gap(pair) < parameters_.skin - pair.slack - kConverged) return false;
+    if (pair.load > kTouch && (pair.n - near_[j].n).norm() > kTurned) return false;
   }
   return true;
+}
+
+// The program at the present pose. Its pairs, with their planes turned, replace `pairs`.
+SeparationStep SeparatedTool::next_step(const Pose& X_WH, double trust, std::vector<PlanePair>& pairs) {
+  ++programs_;
+  pairs = near_;
+  return separation_step({.centre_W = X_WP_ * centre(),
+                          .to_hand = displacement(X_WP_, X_WH, centre()),
+                          .metric_length = parameters_.metric_length,
+                          .tool_radius = radius_,
+                          .skin = parameters_.skin,
+                          .trust = trust},
+                         pairs);
 }
 
 bool SeparatedTool::follow(const Pose& X_WH) {
   X_WH_ = X_WH;
   double trust = kTrust;
+  std::vector<PlanePair> pairs;
   for (int program = 0; program < kPrograms; ++program) {
     update_near();
     if (jump_to_hand(X_WH)) return true;
-    const Vector3 centre_W = X_WP_ * centre();
-    std::vector<PlanePair> pairs = near_;
-    const SeparationStep step = separation_step({.centre_W = centre_W,
-                                                 .to_hand = displacement(X_WP_, X_WH, centre()),
-                                                 .metric_length = parameters_.metric_length,
-                                                 .tool_radius = radius_,
-                                                 .skin = parameters_.skin,
-                                                 .trust = trust},
-                                                pairs);
-    ++programs_;
+    const SeparationStep step = next_step(X_WH, trust, pairs);
     if (!step.converged) return false;
-    const double before = value_at(X_WP_, X_WH, near_, trial_);
-    const Pose X_WN = displaced(X_WP_, centre_W, step.move.head<3>(), step.move.tail<3>());
-    const double after = value_at(X_WN, X_WH, pairs, trial_);
-    if (after > before + 1e-12 * before && trust > kLeastTrust) {
+    const double before = value_at(X_WP_, X_WH, near_);
+    const Pose X_WN = displaced(X_WP_, X_WP_ * centre(), step.move.head<3>(), step.move.tail<3>());
+    const double after = value_at(X_WN, X_WH, pairs);
+    if (after > before * (1.0 + kRounding) && trust > kLeastTrust) {
       ++refused_;
-      trust *= 0.3;
+      trust *= kShrink;
       continue;
     }
-    const bool settled = way(step.move) < kConverged && trust > kConverged && planes_hold(near_, pairs, trial_);
+    const bool settled = way(step.move) < kConverged && trust > kConverged && planes_hold(pairs);
     move_to(X_WN);
     remember(pairs);
     if (settled) {
       update_near();
       return true;
     }
-    trust = std::min(kTrust, 2.0 * trust);
+    trust = std::min(kTrust, kGrow * trust);
   }
   return false;
 }

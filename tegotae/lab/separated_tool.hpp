@@ -5,6 +5,7 @@
 #include <tegotae/math/wrench.hpp>
 #include <tegotae/model/scene_geometry.hpp>
 
+#include <span>
 #include <vector>
 
 namespace tegotae {
@@ -63,10 +64,11 @@ class SeparatedTool {
   void update_near();
   bool is_close(Tracked& pair);
   bool jump_to_hand(const Pose& X_WH);
-  double value_at(const Pose& X_WP, const Pose& X_WH, std::span<const PlanePair> pairs,
-                  std::vector<ConvexCore>& placed);
-  bool planes_hold(std::span<const PlanePair> before, std::span<const PlanePair> after,
-                   std::span<const ConvexCore> placed) const;
+  void place_trial(const Pose& X_WP);
+  double trial_gap(const PlanePair& pair) const;
+  double value_at(const Pose& X_WP, const Pose& X_WH, std::span<const PlanePair> pairs);
+  bool planes_hold(std::span<const PlanePair> pairs) const;
+  SeparationStep next_step(const Pose& X_WH, double trust, std::vector<PlanePair>& pairs);
   void remember(std::span<const PlanePair> pairs);
 
   const SceneGeometry& scene_;

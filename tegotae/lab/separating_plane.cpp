@@ -88,7 +88,7 @@ Vector3 widest_gap_normal(const ConvexCore& above, const ConvexCore& below) {
   if (below.is_half_space) return below.face_normals.front();
   const Vector3 between = 0.5 * (above.box.lower + above.box.upper - below.box.lower - below.box.upper);
   const Vector3 start = between.norm() > 0.0 ? Vector3(between.normalized()) : Vector3(Vector3::UnitZ());
-  const Vector3 n = widened(above, below, start);
+  Vector3 n = widened(above, below, start);
   if (gap_along(above, below, n) > 0.0) return n;
   return widened(above, below, best_face_normal(above, below, n));
 }

@@ -25,7 +25,7 @@ struct SeparationStepInput {
   double metric_length = 1.0;          ///< m
   double tool_radius = 1.0;            ///< m, of the tool about its centre of mass
   double skin = 0.0;                   ///< m
-  double trust = 0.0;                  ///< m that the step may move a point of the tool, about
+  double trust = 0.0;                  ///< m: bounds the step
 };
 
 struct SeparationStep {
@@ -37,9 +37,10 @@ struct SeparationStep {
 /// Weight of a squared violation against a squared displacement. Under a stretch of 50 mm a wall gives way by 5 nm.
 inline constexpr double kViolationWeight = 1e7;
 
-/// The part of the trust in each component by which a step may move the tool: no point moves further than sqrt(3)
-/// trust. Solves for the tool's step and the turn of each pair's plane together, to second order where the multipliers
-/// of the pairs' last step tell the curvature, and updates n, load and slack of each pair. Allocates.
+/// Solves for the step of the tool and the turns of all pairs' planes together: to first order in the rows, to second
+/// where the loads of the pairs' last step tell the curvature. The move is at most half the trust in each component (m,
+/// rad times the tool's radius), so moves no point further than sqrt(3) trust. Updates n, load, load_moment and slack
+/// of each pair. Allocates.
 SeparationStep separation_step(const SeparationStepInput& input, std::span<PlanePair> pairs);
 
 }  // namespace tegotae

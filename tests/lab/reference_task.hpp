@@ -9,10 +9,10 @@
 
 namespace tegotae {
 
-/// A right angle has 90 of them, rad.
+/// rad
 inline constexpr double kDegreeOfArc = std::numbers::pi / 180.0;
 
-/// The skin that a soft coupling is given, m.
+/// The skin of a coupling softer than 20 kN/m, m.
 inline constexpr double kThinSkin = 2e-6;
 
 inline Pose placed_at(double x, double y, double z) { return Pose{.p = {x, y, z}}; }
