@@ -2,6 +2,7 @@
 #include <tegotae/lab/experiment.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/scene_file.hpp>
+#include <tegotae/world/mujoco_world.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -84,6 +85,16 @@ TEST(Experiments, AnUnknownNameIsAnsweredWithThoseThereAre) {
 TEST(SceneFile, IsFoundForEveryExperiment) {
   for (const Experiment& experiment : experiments()) {
     EXPECT_TRUE(std::filesystem::exists(find_scene(experiment.scene))) << experiment.scene;
+  }
+}
+
+TEST(SceneFile, OfEveryExperimentLoadsWithoutAWarning) {
+  for (const Experiment& experiment : experiments()) {
+    const auto world = load_mujoco_world(find_scene(experiment.scene), experiment.tool);
+    EXPECT_TRUE(world->warnings().empty()) << experiment.scene << ": " << world->warnings().front();
+    const Trajectory motion = experiment.motion(world->geometry().tool);
+    EXPECT_EQ(motion.start(), experiment.phases.front().begin);
+    EXPECT_NEAR(motion.end(), experiment.phases.back().end, 1e-9) << experiment.name;
   }
 }
 
