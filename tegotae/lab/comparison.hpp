@@ -7,6 +7,7 @@
 #include <tegotae/lab/stability_json.hpp>
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/comparison_figure.hpp>
 #include <tegotae/lab/quantities.hpp>
+#include <tegotae/lab/tolerances.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -51,13 +52,31 @@ std::vector<Curve> error_curves(std::span<const ComparedRun> runs, const Quantit
   return curves;
 }
 
-std::vector<Panel> panels_of(const Experiment& experiment, std::span<const ComparedRun> runs, bool is_defined) {
+// As wide as the reference asks for and half of that on both sides, so that a method that is far off hides no other.
+void fit_to_reference(std::span<const ReferenceSample> reference, const Vector3& axis, Vector3 Wrench::*part,
+                      Panel& panel) {
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  for (const ReferenceSample& sample : reference) {
+    if (!sample.defined) continue;
+    least = std::min(least, axis.dot(sample.wrench.*part));
+    greatest = std::max(greatest, axis.dot(sample.wrench.*part));
+  }
+  const double beyond = 0.5 * (greatest - least);
+  if (!(beyond > tolerance::kNoTorque)) return;
+  panel.bottom = least - beyond;
+  panel.top = greatest + beyond;
+}
+
+std::vector<Panel> panels_of(const Experiment& experiment, std::span<const ComparedRun> runs,
+                             std::span<const ReferenceSample> reference) {
+  const bool is_defined = std::any_of(reference.begin(), reference.end(), [](const auto& r) { return r.defined; });
   const ReportedAxis &force = experiment.force_axis, &torque = experiment.torque_axis;
-  const Panel forces{"force along " + force.name + " [N]",
-                     rendered_curves(runs, is_defined, force_along(force.direction))};
-  const Panel torques{"torque about " + torque.name + " [N m]",
-                      rendered_curves(runs, is_defined, torque_along(torque.direction))};
+  Panel forces{"force along " + force.name + " [N]", rendered_curves(runs, is_defined, force_along(force.direction))};
+  Panel torques{"torque about " + torque.name + " [N m]",
+                rendered_curves(runs, is_defined, torque_along(torque.direction))};
   if (!is_defined) return {forces, torques};
+  fit_to_reference(reference, force.direction, &Wrench::force, forces);
+  fit_to_reference(reference, torque.direction, &Wrench::torque, torques);
   return {forces,
           {"error of force [N]", error_curves(runs, force_of), kLeastForceError},
           torques,
@@ -70,8 +89,7 @@ void draw_comparison(const Experiment& experiment, std::span<const ComparedRun> 
                      std::span<const ReferenceSample> reference, const std::filesystem::path& folder) {
   if (runs.empty()) return;
   Figure figure{.name = experiment.name, .title = experiment.name + ": force and torque of all methods"};
-  const bool is_defined = std::any_of(reference.begin(), reference.end(), [](const auto& r) { return r.defined; });
-  figure.panels = panels_of(experiment, runs, is_defined);
+  figure.panels = panels_of(experiment, runs, reference);
   std::vector<std::vector<TickRecord>> derived = {reference_less(reference, 0.0, runs.front().records)};
   for (const ComparedRun& run : runs) derived.push_back(reference_less(reference, 1.0, run.records));
   const SessionSettings unused;

@@ -19,7 +19,8 @@ struct ComparedRun {
 };
 
 /// Draws force and torque over time along the experiment's axes, a curve a run and the reference dashed, and below each
-/// the magnitude of the whole error, into files named as the experiment. Errors as `draw`.
+/// the magnitude of the whole error, into files named as the experiment. A curve far from the reference is cut off at
+/// the edge of its panel. Errors as `draw`.
 void draw_comparison(const Experiment& experiment, std::span<const ComparedRun> runs,
                      std::span<const ReferenceSample> reference, const std::filesystem::path& folder);
 

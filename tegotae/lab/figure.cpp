@@ -66,6 +66,7 @@ std::string commands_of_panel(const Figure& figure, const Panel& panel, int& ind
   std::string text = is_logarithmic ? fmt::format("set logscale y\nset format y '10^{{%T}}'\nset yrange [{:g}:*]\n",
                                                   panel.logarithmic_from)
                                     : "";
+  if (panel.bottom < panel.top) text += fmt::format("set yrange [{:.7g}:{:.7g}]\n", panel.bottom, panel.top);
   text += fmt::format("set ylabel \"{}\"\nplot ", panel.label);
   for (size_t i = 0; i < panel.curves.size(); ++i) {
     const Curve& curve = panel.curves[i];
@@ -76,7 +77,9 @@ std::string commands_of_panel(const Figure& figure, const Panel& panel, int& ind
                    curve.is_reference ? "lw 1 dt 2 lc rgb '#202020'" : fmt::format("lw 2 lt {}", i + 1), title);
     ++index;
   }
-  return text + (is_logarithmic ? "\nunset logscale y\nset format y\nset yrange [*:*]\n" : "\n");
+  text += "\nset yrange [*:*]\n";
+  if (is_logarithmic) text += "unset logscale y\nset format y\n";
+  return text;
 }
 
 // The same drawing for both formats.

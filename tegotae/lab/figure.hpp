@@ -27,7 +27,8 @@ struct Curve {
 struct Panel {
   std::string label;  ///< of the vertical axis, with unit
   std::vector<Curve> curves;
-  double logarithmic_from = 0.0;  ///< > 0: the vertical axis is logarithmic and begins there; what is less lies on it
+  double logarithmic_from = 0.0;   ///< > 0: the vertical axis is logarithmic and begins there; what is less lies on it
+  double bottom = 0.0, top = 0.0;  ///< of the vertical axis; both 0: as the curves ask for. They are cut off beyond
 };
 
 struct Figure {

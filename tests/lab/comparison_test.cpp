@@ -152,6 +152,8 @@ TEST(Comparison, DrawsAFigureAnExperiment) {
   for (const char* curve : {"force along y [N]: paper", "torque about z [N m]: reference"}) {
     EXPECT_THAT(data, HasSubstr(curve));
   }
+  // f_y of the reference runs from 0 to 3.286 N.
+  EXPECT_THAT(contents_of(folder.path() / "paper-cube.gnuplot"), HasSubstr("set yrange [-1.64"));
 }
 
 TEST(Comparison, MeasuresTheStabilityOfEachMethod) {

@@ -88,6 +88,21 @@ TEST(Figures, LeaveAGapWhereThereIsNoNumberAndBeginALogarithmicAxisWhereItIsSaid
   EXPECT_THAT(contents_of(folder.path() / "gap.gnuplot"), HasSubstr("set yrange [0.25:*]"));
 }
 
+TEST(Figures, HaveTheRangeThatIsSaidInItsPanelAlone) {
+  const TemporaryFolder folder;
+  const std::vector<TickRecord> records = turning_ticks();
+  const SessionSettings settings;
+  Figure figure = two_panels();
+  figure.panels[0].bottom = -0.5;
+  figure.panels[0].top = 2.5;
+  draw(figure, std::vector<RunSamples>{{records, settings}}, folder.path());
+  const std::string script = contents_of(folder.path() / "both.gnuplot");
+  const size_t set = script.find("set yrange [-0.5:2.5]"), freed = script.find("set yrange [*:*]", set);
+  ASSERT_NE(set, std::string::npos);
+  EXPECT_LT(set, script.find("set ylabel \"y [m]\""));
+  EXPECT_LT(freed, script.find("set ylabel \"f_y [N]\""));
+}
+
 TEST(Figures, SayWhereTheyCannotBeWritten) {
   const TemporaryFolder folder;
   const std::string file = folder.write("occupied", "");
