@@ -168,7 +168,8 @@ TEST(ProxyStatic, ASlotTooNarrowLetsGoAlongItself) {
       rig.add_body(make_box({0.03, 0.06, 0.025}), at(-0.04, 0.0, -0.025));
       rig.add_body(make_box({0.03, 0.06, 0.025}), at(0.04, 0.0, -0.025));
       rig.hold(at({offset, 0.0, -0.022}, {0.0, tilt, 0.0}), 50);
-      for (double z = -0.022; z < 0.0185; z += 0.97e-4) {
+      for (int i = 0; i < 417; ++i) {
+        const double z = -0.022 + 0.97e-4 * i;
         const Wrench& wrench = rig.tick(at({offset, 0.0, z}, {0.0, tilt, 0.0}));
         // Of the kilonewtons with which the walls push at each other, what a tilt of 1e-5 of the tool turns upwards.
         ASSERT_LT(std::abs(wrench.force.z()), 0.1) << z << " tilted by " << tilt << ", off by " << offset;
