@@ -18,6 +18,7 @@ struct UsageError : std::runtime_error {
 void add_experiment_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_methods_command(CLI::App& program);
+void add_split_command(CLI::App& program);
 void add_stability_command(CLI::App& program);
 void add_compare_command(CLI::App& program);
 

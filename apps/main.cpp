@@ -50,6 +50,7 @@ int run(int argc, char** argv) {
   tegotae::add_experiment_command(program);
   tegotae::add_render_command(program);
   tegotae::add_methods_command(program);
+  tegotae::add_split_command(program);
   tegotae::add_stability_command(program);
   tegotae::add_compare_command(program);
   try {

@@ -4,6 +4,7 @@ include(CMakePackageConfigHelpers)
 install(TARGETS tegotae_core tegotae_mujoco tegotae_lab tegotae EXPORT tegotae-targets)
 install(DIRECTORY tegotae DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/tegotae)
+install(FILES tools/split/split.js tools/split/package.json DESTINATION ${CMAKE_INSTALL_DATADIR}/tegotae/split)
 install(EXPORT tegotae-targets NAMESPACE tegotae:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tegotae)
 configure_package_config_file(cmake/tegotae-config.cmake.in tegotae-config.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tegotae PATH_VARS CMAKE_INSTALL_DATADIR)

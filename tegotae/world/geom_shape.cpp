@@ -60,7 +60,7 @@ Shape hull_of_geom(const mjModel& m, int geom, const std::string& file, std::vec
   if (dent > 0.0) {
     warnings.push_back(
         fmt::format("{}: the mesh of {} is not convex (a face lies {:.3g} m inside its hull) and is used "
-                    "as its hull; to keep its shape, split it into convex parts",
+                    "as its hull; to keep its shape, split its file with: tegotae split MESH",
                     file, geom_label(m, geom), dent));
   }
   return shape;
