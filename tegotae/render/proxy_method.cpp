@@ -138,7 +138,10 @@ void ProxyMethod::set_objective(const RenderInput& input) noexcept {
 
 Vector6 ProxyMethod::solve_filled(const RenderInput& input, const Vector3& p_WCm, bool push_out,
                                   RenderOutput& output) noexcept {
+  const int former_count = problem_.contact_count();
   fill_problem(input, p_WCm, push_out);
+  // The solver remembers which rows were active by their number: of other rows that would lead it astray.
+  if (problem_.contact_count() != former_count) workspace_.reset();
   // In the first linearisation the tool is likely to go on as it did in the last tick.
   solver_.solve(problem_, output.linearisations > 1 ? Vector6(Vector6::Zero()) : moved_before_, workspace_, solution_);
   output.solver_iterations += solution_.newton_iterations;
