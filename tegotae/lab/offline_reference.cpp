@@ -10,8 +10,8 @@ namespace tegotae {
 namespace {
 
 // The tool leaps where it moves this many times the hand's way, and that much more.
-constexpr double kLeapRatio = 10.0;
-constexpr double kLeap = 20e-6;  // m
+constexpr double kLeapRatio = 5.0;
+constexpr double kLeap = 10e-6;  // m
 constexpr size_t kTicksPerReport = 50;
 
 double skin_at(double stiffness) { return std::min(tolerance::kSkin, tolerance::kSkinForce / stiffness); }

@@ -9,8 +9,11 @@
 namespace tegotae {
 namespace {
 
-constexpr double kTrust = 1e-4;               // m: greatest step, far below any feature that a hand tells apart
-constexpr double kLeastTrust = 1e-11;         // m: no step that small is refused but by rounding
+constexpr double kTrust = 1e-4;        // m: greatest step, far below any feature that a hand tells apart
+constexpr double kTrustOfWay = 2.0;    // the first, of the hand's way: so that it leaps over no ridge to a lower place
+constexpr double kFirstTrust = 1e-6;   // m: the first at least
+constexpr double kAtBound = 0.4;       // of the trust: a step that would go further
+constexpr double kLeastTrust = 1e-11;  // m: no step that small is refused but by rounding
 constexpr double kShrink = 0.3, kGrow = 2.0;  // of the trust, after a step that was refused or taken
 constexpr double kRounding = 1e-12;           // of the value that a step must not increase
 constexpr double kConverged = 1e-9;           // m: of the step, of violations
@@ -169,8 +172,8 @@ SeparationStep SeparatedTool::next_step(const Pose& X_WH, double trust, std::vec
 }
 
 bool SeparatedTool::follow(const Pose& X_WH) {
+  double trust = std::clamp(kTrustOfWay * way(displacement(X_WH_, X_WH, centre())), kFirstTrust, kTrust);
   X_WH_ = X_WH;
-  double trust = kTrust;
   std::vector<PlanePair> pairs;
   for (int program = 0; program < kPrograms; ++program) {
     update_near();
@@ -192,7 +195,7 @@ bool SeparatedTool::follow(const Pose& X_WH) {
       update_near();
       return true;
     }
-    trust = std::min(kTrust, kGrow * trust);
+    if (way(step.move) > kAtBound * trust) trust = std::min(kTrust, kGrow * trust);
   }
   return false;
 }

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 #include <utility>
 
 namespace tegotae {
@@ -71,11 +71,11 @@ TEST_P(OfflineReferenceCube, EdgeIsCarriedAsTheClosedFormSays) {
   const double length = GetParam(), depth = 20e-6;  // so small that the closed form's linearisation errs by 1e-4
   HandPath path(placed_at(0.0, 0.2, 0.0, {0.0, 0.0, 45.0}));
   std::vector<size_t> ticks;
-  for (double degrees = 45.0; degrees >= 1.0; degrees -= 0.5) {
+  for (double degrees = 45.0; degrees >= 1.0; degrees -= 2.0) {
     path.to(placed_at(0.0, height_of_edge(degrees * kDegreeOfArc) - depth, 0.0, {0.0, 0.0, degrees}), 4);
     ticks.push_back(path.poses().size() - 1);
   }
-  const auto samples = solve_offline(cube_scene(), path, {kCubeStiffness, length});
+  const auto samples = solve_offline(cube_scene(), path, {kCubeStiffness, length}, 20.0 * kReferenceHandStep);
   expect_all_defined(samples);
   for (const size_t tick : ticks) {
     const Pose& X_WT = path.poses()[tick];
@@ -92,11 +92,11 @@ TEST_P(OfflineReferenceCube, DeepEdgeIsCarriedAsItsOwnMinimumSays) {
   const double length = GetParam(), depth = 0.35e-3;
   HandPath path(placed_at(0.0, 0.2, 0.0, {0.0, 0.0, 45.0}));
   std::vector<size_t> ticks;
-  for (double degrees = 45.0; degrees >= 1.0; degrees -= 0.5) {
+  for (double degrees = 45.0; degrees >= 1.0; degrees -= 2.0) {
     path.to(placed_at(0.0, height_of_edge(degrees * kDegreeOfArc) - depth, 0.0, {0.0, 0.0, degrees}), 4);
     ticks.push_back(path.poses().size() - 1);
   }
-  const auto samples = solve_offline(cube_scene(), path, {kCubeStiffness, length});
+  const auto samples = solve_offline(cube_scene(), path, {kCubeStiffness, length}, 20.0 * kReferenceHandStep);
   expect_all_defined(samples);
   for (const size_t tick : ticks) {
     const Pose& X_WT = path.poses()[tick];
@@ -286,16 +286,46 @@ Motion wedge() {
               .to(placed_at(0.001, 0, -0.002, {2.0, 3.0, 1.0}), 100)};
 }
 
+// Even steps greater than those that are used.
 TEST(OfflineReference, StepsOfHalfTheSizeChangeNothing) {
   for (const Motion& motion : {sliding_plates(), peg_in_hole(), wedge()}) {
     SCOPED_TRACE(motion.name);
     const HandCoupling coupling;
-    const auto samples = solve_offline(motion.scene, motion.path, coupling);
-    const auto finer = solve_offline(motion.scene, motion.path, coupling, 0.5 * kReferenceHandStep);
+    const auto samples = solve_offline(motion.scene, motion.path, coupling, 4.0 * kReferenceHandStep);
+    const auto finer = solve_offline(motion.scene, motion.path, coupling, 2.0 * kReferenceHandStep);
     expect_all_defined(samples);
     expect_all_defined(finer);
     EXPECT_GT(greatest_force(samples), 1.0);
     EXPECT_LT(difference(samples, finer, coupling.metric_length), 1e-4 * greatest_force(samples));
+  }
+}
+
+// A prism of many sides rolls over an edge from side to side: each is a least of its own, left only where it ends.
+TEST(OfflineReference, LeapsComeWhereTheyMustAndNoSooner) {
+  std::vector<Vector3> points;
+  constexpr int kSides = 24;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * (i + 0.5) / kSides;
+    for (const double y : {-0.01, 0.01}) points.emplace_back(0.02 * std::sin(angle), y, 0.02 * std::cos(angle));
+  }
+  const auto scene = touching_scene(make_hull(points), {make_box({0.05, 0.05, 0.02}, placed_at(-0.05, 0, -0.02))});
+  const auto path = HandPath(placed_at(-0.005, 0, 0.021))
+                        .to(placed_at(-0.005, 0, 0.0188, {0.0, 1.0, 0.0}), 50)
+                        .to(placed_at(0.015, 0, 0.0188, {0.0, 1.0, 0.0}), 400);
+  const HandCoupling coupling;
+  const auto samples = solve_offline(scene, path, coupling);
+  const auto finer = solve_offline(scene, path, coupling, 0.25 * kReferenceHandStep);
+  expect_all_defined(samples);
+  expect_all_defined(finer);
+  std::vector<size_t> leaps[2];
+  for (size_t tick = 0; tick < samples.size(); ++tick) {
+    if (samples[tick].snaps) leaps[0].push_back(tick);
+    if (finer[tick].snaps) leaps[1].push_back(tick);
+  }
+  ASSERT_GE(leaps[0].size(), 1u);
+  for (const size_t leap : leaps[0]) {
+    EXPECT_GT((samples[leap].wrench.force - samples[leap - 1].wrench.force).norm(), 0.1);
+    EXPECT_TRUE(std::any_of(leaps[1].begin(), leaps[1].end(), [leap](size_t l) { return l >= leap && l <= leap + 1; }));
   }
 }
 
