@@ -15,12 +15,20 @@ constexpr double kFirstTrust = 1e-6;   // m: the first at least
 constexpr double kAtBound = 0.4;       // of the trust: a step that would go further
 constexpr double kLeastTrust = 1e-11;  // m: no step that small is refused but by rounding
 constexpr double kShrink = 0.3, kGrow = 2.0;  // of the trust, after a step that was refused or taken
-constexpr double kRounding = 1e-12;           // of the value that a step must not increase
+constexpr double kRounding = 1e-12;           // of the value, and
+constexpr double kGapRounding = 1e-14;        // m, of each gap: what a step may seem to worsen
 constexpr double kConverged = 1e-9;           // m: of the step, of violations
 constexpr double kTurned = 1e-5;              // rad that the planes of loaded pairs still turn by
 constexpr double kTouch = 1e-12;              // m of displacement, that a pushing force stretches the coupling by
 constexpr int kPrograms = 3000;               // of one step of the hand: a leap of 10 cm
 constexpr double kReach = 2.0 * kTrust;       // m: a step moves no point further, so pairs further apart wait
+
+// What rounding alone can change of the `value` of the minimised function, m^2.
+double rounding_of(double value, std::span<const PlanePair> pairs) {
+  double rounding = kRounding * value;
+  for (const PlanePair& pair : pairs) rounding += kGapRounding * pair.load;
+  return rounding;
+}
 
 }  // namespace
 
@@ -183,19 +191,20 @@ bool SeparatedTool::follow(const Pose& X_WH) {
     const double before = value_at(X_WP_, X_WH, near_);
     const Pose X_WN = displaced(X_WP_, X_WP_ * centre(), step.move.head<3>(), step.move.tail<3>());
     const double after = value_at(X_WN, X_WH, pairs);
-    if (after > before * (1.0 + kRounding) && trust > kLeastTrust) {
+    if (after > before + rounding_of(before, pairs) && trust > kLeastTrust) {
       ++refused_;
       trust *= kShrink;
       continue;
     }
-    const bool settled = way(step.move) < kConverged && trust > kConverged && planes_hold(pairs);
+    const bool bounded = way(step.move) > kAtBound * trust;
+    const bool settled = !bounded && way(step.move) < kConverged && planes_hold(pairs);
     move_to(X_WN);
     remember(pairs);
     if (settled) {
       update_near();
       return true;
     }
-    if (way(step.move) > kAtBound * trust) trust = std::min(kTrust, kGrow * trust);
+    if (bounded) trust = std::min(kTrust, kGrow * trust);
   }
   return false;
 }
