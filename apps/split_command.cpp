@@ -19,7 +19,7 @@ struct SplitOptions {
 
 // The stem names meshes in a scene: what XML would not take as it is, is refused.
 std::string stem_of(const std::filesystem::path& mesh) {
-  const std::string stem = mesh.stem().string();
+  std::string stem = mesh.stem().string();
   if (stem.find_first_of("<>&\"'") != std::string::npos) {
     throw UsageError(
         fmt::format("the name of {} cannot stand in a scene file; rename it without < > & and quotes.", mesh.string()));

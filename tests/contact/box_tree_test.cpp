@@ -47,7 +47,8 @@ TEST(BoxTree, FindsWhatOneLookAtEachBoxFinds) {
 TEST(BoxTree, LooksAtFewNodesWhereFewAreNear) {
   std::vector<BoundingBox> boxes;
   for (int i = 0; i < 1024; ++i) {
-    const Vector3 p(i % 32, i / 32, 0.0);
+    const int column = i % 32, row = i / 32;
+    const Vector3 p(column, row, 0.0);
     boxes.push_back({p, p + Vector3::Constant(0.5)});
   }
   const BoxTree tree(boxes);

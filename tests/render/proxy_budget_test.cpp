@@ -34,7 +34,8 @@ std::vector<Shape> floor_of_blocks() {
   std::vector<Shape> blocks;
   const int side = 21;
   for (int i = 0; i < side * side; ++i) {
-    const Vector3 p(0.002 * (i % side - side / 2), 0.002 * (i / side - side / 2), -0.005);
+    const int column = i % side - side / 2, row = i / side - side / 2;
+    const Vector3 p(0.002 * column, 0.002 * row, -0.005);
     blocks.push_back(make_box({0.00095, 0.00095, 0.005}, {p, rotation_from_vector({0.0, 0.0, 0.003 * (i % 7)})}));
   }
   return blocks;
