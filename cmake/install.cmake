@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 include(CMakePackageConfigHelpers)
 
-install(TARGETS tegotae_core tegotae_mujoco tegotae_lab tegotae EXPORT tegotae-targets)
+install(TARGETS tegotae_core tegotae_mujoco tegotae_stream tegotae_lab tegotae EXPORT tegotae-targets)
 install(DIRECTORY tegotae DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/tegotae)
 install(FILES tools/split/split.js tools/split/package.json DESTINATION ${CMAKE_INSTALL_DATADIR}/tegotae/split)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
+#include <tegotae/runtime/block_file.hpp>
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -27,34 +28,22 @@ class CsvWriter {
  public:
   /// Creates or overwrites the file and writes its head.
   CsvWriter(std::string path, const CsvHead& head);
-  CsvWriter(const CsvWriter&) = delete;
-  CsvWriter& operator=(const CsvWriter&) = delete;
-  ~CsvWriter();
 
   /// Adds one row; `values` has one number a column.
   void write_row(std::span<const double> values);
 
   /// Hands all rows to the operating system and closes the file; write_row after it loses the row.
-  void close();
+  void close() { file_.close(); }
 
-  bool ok() const noexcept { return error_number_ == 0; }
+  bool ok() const noexcept { return file_.ok(); }
   /// Empty, or one sentence for the user with file, cause, and mend.
   std::string error() const;
-  std::uint64_t rows_written() const noexcept { return rows_written_; }  ///< complete rows handed over to the system
-  std::uint64_t rows_lost() const noexcept { return rows_lost_; }
+  std::uint64_t rows_written() const noexcept { return file_.written(); }  ///< complete rows handed to the system
+  std::uint64_t rows_lost() const noexcept { return file_.lost(); }
 
  private:
-  void flush();
-  void fail(int error_number, std::size_t written);
-
-  std::string path_;
-  std::string block_;  // complete rows (and the head) that are not written yet
-  std::uint64_t rows_in_block_ = 0;
-  std::uint64_t bytes_written_ = 0;
-  std::uint64_t rows_written_ = 0;
-  std::uint64_t rows_lost_ = 0;
-  int file_ = -1;
-  int error_number_ = 0;
+  BlockFile file_;
+  std::string row_;
 };
 
 /// Appends `value` to `text` as CsvWriter prints it.
