@@ -4,6 +4,7 @@
 #include <apps/progress_line.hpp>
 #include <apps/settings_options.hpp>
 #include <apps/validators.hpp>
+#include <tegotae/lab/recording_file.hpp>
 #include <tegotae/lab/samples_file.hpp>
 #include <tegotae/lab/session.hpp>
 #include <tegotae/lab/text_file.hpp>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -23,7 +25,7 @@ namespace tegotae {
 namespace {
 
 struct RenderOptions {
-  std::string scene, tool, trajectory, out;
+  std::string scene, tool, trajectory, out, recording;
   SettingsOptions settings;
 };
 
@@ -56,12 +58,13 @@ void warn(const std::string& warning) {
   if (!warning.empty()) fmt::print(stderr, "tegotae: warning: {}\n", warning);
 }
 
-RenderedRows render(Session& session, SamplesFile& samples) {
+RenderedRows render(Session& session, SamplesFile& samples, RecordingFile* recording) {
   RenderedRows rows;
   ProgressLine progress("rendering");
   session.run_simulated(
       [&](const TickRecord& record) {
         samples.write(record);
+        if (recording != nullptr) recording->write(record);
         rows.add(record);
         return !interrupted();
       },
@@ -82,8 +85,14 @@ void run(const RenderOptions& options) {
 
   check_writable_place(options.out);
   SamplesFile samples(options.out, session.notes(), session.start());
+  std::optional<RecordingFile> recording;
+  if (!options.recording.empty()) recording.emplace(options.recording, session.notes(), session.start());
   listen_for_interruption();
-  const RenderedRows rows = render(session, samples);
+  const RenderedRows rows = render(session, samples, recording ? &*recording : nullptr);
+  if (recording) {
+    recording->close();
+    warn(recording->error());
+  }
   warn(session.trouble());
   warn(rows.troubles.sentence());
   fmt::print("{} rows in {}: greatest force {:.4g} N, deepest penetration {:.4g} mm\n", rows.count, options.out,
@@ -102,13 +111,17 @@ void add_render_command(CLI::App& program) {
   command->add_option("--tool", options->tool, "Body of the scene that the hand moves")->type_name("BODY")->required();
   command
       ->add_option("--trajectory", options->trajectory,
-                   "Motion of the tool body's frame: comma-separated columns t (s), x, y, z (m), qw, qx, qy, qz")
+                   "Motion of the tool body's frame: comma-separated columns t (s), x, y, z (m), qw, qx, qy, qz, or a "
+                   "recording")
       ->type_name("FILE")
       ->required();
   command->add_option("--out", options->out, "File for the result, one row a haptic tick")
       ->type_name("FILE")
       ->check(not_empty("a file"))
       ->required();
+  command->add_option("--record", options->recording, "Recording (MCAP) to write besides")
+      ->type_name("FILE")
+      ->check(not_empty("a file"));
   options->settings.add_all(*command);
   command->callback([options] { run(*options); });
 }

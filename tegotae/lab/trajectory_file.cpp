@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/recording_file.hpp>
 #include <tegotae/lab/tolerances.hpp>
 #include <tegotae/lab/trajectory_file.hpp>
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -150,6 +152,11 @@ Trajectory read_trajectory(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
     throw InputError(fmt::format("{}: this is a folder, not a trajectory file.", file.string()));
+  }
+  if (is_recording(file)) {
+    std::stringstream rows;
+    export_csv(file, rows);
+    return read_trajectory(rows, file.string());
   }
   std::ifstream text(file);
   if (!text) {
