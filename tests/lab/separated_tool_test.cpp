@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/lab/reference_task.hpp"
+#include <tests/lab/reference_task.hpp>
 
 #include <tegotae/lab/separated_tool.hpp>
 
@@ -144,7 +144,9 @@ TEST(SeparatedTool, IsApartAndFeelsASumOfPushes) {
       SeparatedTool tool(scene.geometry, parameters());
       Pose hand = placed_at(0.004 * uniform(engine), 0.004 * uniform(engine), scene.height);
       ASSERT_TRUE(tool.start(hand));
-      const auto random_turn = [&]() -> Vector3 { return 20.0 * Vector3(uniform(engine), uniform(engine), uniform(engine)); };
+      const auto random_turn = [&]() -> Vector3 {
+        return 20.0 * Vector3(uniform(engine), uniform(engine), uniform(engine));
+      };
       const auto random_height = [&] { return 0.004 * uniform(engine) + 0.006; };
       for (int leg = 0; leg < 3; ++leg) {
         const Pose next = placed_at(0.01 * uniform(engine), 0.01 * uniform(engine), random_height(), random_turn());

@@ -59,7 +59,9 @@ TEST(SeparatingPlane, HalfSpaceKeepsItsOwnNormal) {
 TEST(SeparatingPlane, GapOfRandomHullsIsTheirDistance) {
   std::mt19937 engine(11);
   std::normal_distribution<double> normal;
-  const auto vector = [&](double scale) -> Vector3 { return Vector3(normal(engine), normal(engine), normal(engine)) * scale; };
+  const auto vector = [&](double scale) -> Vector3 {
+    return Vector3(normal(engine), normal(engine), normal(engine)) * scale;
+  };
   int apart = 0;
   for (int trial = 0; trial < 200; ++trial) {
     std::vector<Vector3> points[2];

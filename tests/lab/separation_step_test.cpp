@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/lab/reference_task.hpp"
+#include <tests/lab/reference_task.hpp>
 
 #include <tegotae/lab/separation_step.hpp>
 
