@@ -113,7 +113,9 @@ bool ProxyMethod::linearise(const RenderInput& input, double& margin, RenderOutp
     margin = std::min(parameters_.margin, tolerance::kMarginGrowth * margin);
     return moved == 0.0;
   }
-  return moved < tolerance::kSettledStep || (is_settled(stretch) && load_change < tolerance::kSettledLoad);
+  if (moved < tolerance::kSettledStep) return true;
+  return is_settled(stretch) && load_change < tolerance::kSettledLoad &&
+         way_of_turned_arms(x, p_WCm) < tolerance::kSettledArms;
 }
 
 // The spring to the interface; with the tool's weight its rest lies lower, with its inertia a second spring, of
@@ -191,6 +193,20 @@ bool ProxyMethod::is_settled(double stretch) noexcept {
     return std::abs(contact.now.gap - contact.predicted) < tolerance::kSettledStep &&
            contact.turned * stretch < tolerance::kSettledStep;
   });
+}
+
+// m of a tool point: how far the torque that the loads have gained, as the solved rotation turned their arms, would
+// still take the tool. Felt in rolling, where an arm is short and the turn is not.
+double ProxyMethod::way_of_turned_arms(const Vector6& x, const Vector3& p_WCm) const noexcept {
+  if (rows_.empty()) return 0.0;
+  Vector3 gained = Vector3::Zero();
+  for (const int active : solution_.active_rows) {
+    const auto row = static_cast<size_t>(active);
+    const Vector3 n_W = problem_.J(active).head<3>();
+    gained += solution_.multipliers[row] * x.tail<3>().cross(rows_[row].p_W - p_WCm).cross(n_W);
+  }
+  const double l2 = parameters_.coupling.metric_length * parameters_.coupling.metric_length;
+  return gained.norm() / (parameters_.coupling.stiffness * l2) * tracker_.tool_radius();
 }
 
 void ProxyMethod::display(const RenderInput& input, RenderOutput& output) noexcept {

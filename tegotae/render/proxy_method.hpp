@@ -77,6 +77,7 @@ class ProxyMethod {
   void predict(const Vector6& x) noexcept;
   double step(const Vector6& x, const Vector3& p_WCm) noexcept;
   bool is_settled(double stretch) noexcept;
+  double way_of_turned_arms(const Vector6& x, const Vector3& p_WCm) const noexcept;
   double first_margin(const RenderInput& input) const noexcept;
   double take_loads(const Pose& X_WP_solved) noexcept;
   ContactLoad load_of(int contact, const Vector3& n_W, size_t& active) noexcept;

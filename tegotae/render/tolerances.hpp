@@ -52,6 +52,10 @@ inline constexpr double kSkinForce = 0.04;
 /// m. A step that moves no point of the tool further ends a tick: at 9000 N/m it is 3 mN.
 inline constexpr double kSettledStep = 0.3e-6;
 
+/// m. The same of what the loads' arms, turned by the step, would still move: at 1000 N/m, with a metric length of the
+/// tool's size, it is 1 mN.
+inline constexpr double kSettledArms = 1e-6;
+
 /// N. A friction limit that changed by less since the last linearisation does not ask for another one: half the least
 /// force that a hand feels.
 inline constexpr double kSettledLoad = 0.02;
