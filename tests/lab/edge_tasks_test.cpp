@@ -67,11 +67,11 @@ TEST(Knurl, KeepsToTheReference) {
   const Performance done = perform(find_experiment("knurl"));
   EXPECT_EQ(done.scene.tool.pieces.at(0).polytope->vertices.size(), 5000U);
   EXPECT_GT(done.metrics.force.peak, 2.0);
-  // A round tool has next to no torque of its own: 2.4 mN m at most, against which the RMSE is 4.4 % and the worst
-  // error 32 %, where the target is 1 % and 5 %. A tick ends while the arm of the vertex that it rolls on is still that
-  // of its start, 0.04 mm, and at the table's edge two neighbouring edges of the knob both are places to rest, 0.03 N
-  // apart. So it is held to the torque that its force would have at the gyration length, 43 mN m.
-  expect_kept_to_reference(done, done.metrics.force.peak * done.settings.metric_length);
+  // A round tool has next to no torque of its own: 2.4 mN m at most, against which the RMSE is 1.1 %, where the target
+  // is 1 %, and the worst error 1 %. At the table's edge two neighbouring edges of the knob both are places to rest for
+  // some ticks, and the reference, walking in small steps, leaves the one before the proxy does: there the RMSE counts
+  // what the worst error leaves out.
+  expect_kept_to_reference(done, 0.0, 0.012);
 }
 
 }  // namespace

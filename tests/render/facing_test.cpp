@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace tegotae::testing {
 namespace {
 
@@ -27,11 +29,22 @@ Shape random_shape(std::mt19937_64& random, int kind) {
   }
 }
 
+// A few of each kind, as making them takes most of the time.
+const Shape& some_shape(int i) {
+  static const std::vector<Shape> shapes = [] {
+    std::mt19937_64 random(30);
+    std::vector<Shape> made;
+    for (int k = 0; k < 36; ++k) made.push_back(random_shape(random, k));
+    return made;
+  }();
+  return shapes[static_cast<size_t>(i) % shapes.size()];
+}
+
 TEST(Facing, AlongAnyDirectionTheGapIsALowerBoundOfTheDistance) {
   std::mt19937_64 random(31);
   int separated = 0;
   for (int i = 0; i < sweep_size(4000); ++i) {
-    const Shape a = random_shape(random, i), b = random_shape(random, i / 6);
+    const Shape &a = some_shape(i), &b = some_shape(i / 36);
     const PlacedShape tool(a, random_pose(random, 0.08)), object(b, random_pose(random, 0.08));
     ClosestPointsCache cache, fresh;
     const Facing along = facing_along(tool, object, i % 5 == 0 ? Vector3::Zero() : random_unit(random), cache);
@@ -52,7 +65,7 @@ TEST(Facing, AlongAnyDirectionTheGapIsALowerBoundOfTheDistance) {
 TEST(Facing, AlongTheMeasuredNormalItIsTheMeasuredGap) {
   std::mt19937_64 random(32);
   for (int i = 0; i < sweep_size(2000); ++i) {
-    const Shape a = random_shape(random, i), b = random_shape(random, i / 6);
+    const Shape &a = some_shape(i), &b = some_shape(i / 36);
     const PlacedShape tool(a, random_pose(random, 0.06)), object(b, random_pose(random, 0.06));
     ClosestPointsCache cache;
     const Facing measured = measured_facing(tool, object, Vector3::Zero(), cache);
