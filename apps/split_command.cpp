@@ -31,8 +31,9 @@ void report(const ConvexSplit& split, const std::filesystem::path& folder, const
   const double sum = split.sum_volume / split.mesh_volume, together = split.union_volume / split.mesh_volume;
   fmt::print("{} convex pieces in {}/{}-1.obj ... {}-{}.obj\n", split.pieces.size(), folder.string(), stem, stem,
              split.pieces.size());
-  fmt::print("volume: the mesh {:.6g}, the pieces together {:.1f} % of it, their sum {:.1f} %\n", split.mesh_volume,
-             100.0 * together, 100.0 * sum);
+  fmt::print(
+      "volume: the mesh {:.6g} (cubed units of its file), the pieces together {:.1f} % of it, their sum {:.1f} %\n",
+      split.mesh_volume, 100.0 * together, 100.0 * sum);
   fmt::print(
       "in the scene, beside these files: <asset><include file=\"{0}-assets.xml\"/></asset> and, in the body, "
       "<include file=\"{0}-geoms.xml\"/>\n",
@@ -63,15 +64,17 @@ void add_split_command(CLI::App& program) {
   auto options = std::make_shared<SplitOptions>();
   CLI::App* const command = program.add_subcommand(
       "split", "Split a mesh into convex pieces (V-HACD), and write what a scene needs to use them.");
-  command->add_option("mesh", options->mesh, "Closed mesh: OBJ or STL")->type_name("MESH")->required();
+  command->add_option("MESH", options->mesh, "Closed mesh: OBJ or STL")->type_name("FILE")->required();
   command->add_option("--out", options->out, "Folder for the pieces (default: the mesh's)")
       ->type_name("DIR")
       ->check(not_empty("a folder"));
   command->add_option("--pieces", options->settings.pieces, "Pieces at most")
       ->check(CLI::Range(1, 1000))
+      ->type_name("N")
       ->capture_default_str();
   command->add_option("--resolution", options->settings.resolution, "Voxels that the mesh is filled with")
       ->check(CLI::Range(10000, 10000000))
+      ->type_name("N")
       ->capture_default_str();
   command->callback([options] { run(*options); });
 }

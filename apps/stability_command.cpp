@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <apps/commands.hpp>
 #include <apps/progress_line.hpp>
+#include <apps/validators.hpp>
 #include <tegotae/device/simulated_presets.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/stability_json.hpp>
@@ -202,7 +203,10 @@ void add_stability_command(CLI::App& program) {
   command->add_option("--haptic-rate", options->haptic_rate, "Rate of the haptic ticks")
       ->type_name("Hz")
       ->capture_default_str();
-  command->add_option("--out", options->folder, "Folder for stability.json")->type_name("DIR")->capture_default_str();
+  command->add_option("--out", options->folder, "Folder for stability.json")
+      ->type_name("DIR")
+      ->check(not_empty("a folder"))
+      ->capture_default_str();
   command->callback([options] { run(*options); });
 }
 

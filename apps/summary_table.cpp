@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -25,12 +26,21 @@ std::string range(const Spread& spread) {
 
 constexpr double kMicrosecond = 1e-6, kMillisecond = 1e-3;  // s
 
-std::string row(const PhaseSummary& summary, bool in_real_time) {
-  const std::string title = summary.phase.name + "  " + summary.phase.summary;
-  if (summary.ticks == 0) return fmt::format("  {:<35}{:>18}\n", title, "not reached");
+std::string title_of(const PhaseSummary& summary) { return summary.phase.name + "  " + summary.phase.summary; }
+
+// Of the column of titles, wide enough for each phase.
+size_t title_width(const RunSummary& summary) {
+  size_t width = 35;
+  for (const PhaseSummary& phase : summary.phases) width = std::max(width, title_of(phase).size());
+  return width;
+}
+
+std::string row(const PhaseSummary& summary, size_t width, bool in_real_time) {
+  const std::string title = title_of(summary);
+  if (summary.ticks == 0) return fmt::format("  {:<{}}{:>20}\n", title, width, "not reached");
   const DurationHistogram& times = summary.tick_times;
   return fmt::format(
-      "  {:<35}{:>18}{:>12.3f}{:>18}{:>12.3f}{:>12}   {:>7.1f} {:>7.1f} {:>7.1f} {:>7.1f}   {}\n", title,
+      "  {:<{}}{:>20}{:>12.3f}{:>20}{:>12.3f}{:>12}   {:>7.1f} {:>7.1f} {:>7.1f} {:>7.1f}   {}\n", title, width,
       range(summary.reported_force), rounded(summary.force_at_end), range(summary.reported_torque),
       rounded(summary.torque_at_end), fmt::format("{:g} to {:g}", summary.contacts.min, summary.contacts.max),
       times.median() / kMicrosecond, times.percentile(0.99) / kMicrosecond, times.percentile(0.999) / kMicrosecond,
@@ -74,12 +84,13 @@ std::string summary_table(const ExperimentResult& result) {
   for (const VariantResult& variant : result.variants) {
     fmt::format_to(out, "\n{}: {}\n  {}\n", variant.variant.name, variant.variant.summary,
                    settings_line(variant.settings));
-    fmt::format_to(out, "  {:<35}{:>18}{:>12}{:>18}{:>12}{:>12}   {:<31}   {}\n", "phase",
+    const size_t width = title_width(variant.summary);
+    fmt::format_to(out, "  {:<{}}{:>20}{:>12}{:>20}{:>12}{:>12}   {:<31}   {}\n", "phase", width,
                    fmt::format("force {} [N]", experiment.force_axis.name), "at its end",
                    fmt::format("torque {} [N m]", experiment.torque_axis.name), "at its end", "contacts",
                    "tick median, p99, p99.9, max [us]", "missed deadlines");
     const bool in_real_time = variant.real_time.has_value();
-    for (const PhaseSummary& phase : variant.summary.phases) text += row(phase, in_real_time);
+    for (const PhaseSummary& phase : variant.summary.phases) text += row(phase, width, in_real_time);
     if (!variant.physics_rate_choice.empty()) fmt::format_to(out, "  {}\n", variant.physics_rate_choice);
     if (variant.real_time) text += real_time_lines(*variant.real_time);
   }

@@ -83,7 +83,7 @@ const auto& find(const Presets& presets, std::string_view name, const char* what
     names.append(names.empty() ? "" : ", ").append(preset.name);
   }
   throw std::invalid_argument("there is no simulated " + std::string(what) + " '" + std::string(name) +
-                              "'; there are: " + names);
+                              "'; there are: " + names + ".");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ constexpr NumericSetting kSettings[] = {
      "How far one linearisation may move the tool; default: the scene's, else 0.001"},
     {"friction", &Request::friction, 0.0, 10.0, "", false, true, false,
      "Coefficient of sliding friction of all contacts; default: the scene's, else that of each geom"},
-    {"kinetic_friction", &Request::kinetic_friction, 0.0, 1.0, "of the static coefficient", false, true, false,
+    {"kinetic_friction", &Request::kinetic_friction, 0.0, 1.0, "", false, true, false,
      "Friction while slipping, as a part of the coefficient; default: the scene's, else 1"},
     {"viscous_friction", &Request::viscous_friction, 0.0, 1e4, "N s/m", false, true, false,
      "Viscous friction of a sliding contact; default: the scene's, else 0"},

@@ -138,6 +138,12 @@ TEST(Comparison, StoppedTellsWhatWasNotReached) {
   EXPECT_EQ(json::parse(comparison_json(result))["experiments"][1]["methods"][1]["state"], "not reached");
 }
 
+TEST(Comparison, StabilityThatWasNotReachedFillsItsRow) {
+  ComparisonResult result;
+  result.stability.push_back({"proxy", {}, {}, ""});
+  EXPECT_THAT(stability_table(result), HasSubstr("| proxy | – | – | – | – | – | – |\n"));
+}
+
 TEST(Comparison, DrawsAFigureAnExperiment) {
   const TemporaryFolder folder;
   ComparisonRequest request = quick_request();
