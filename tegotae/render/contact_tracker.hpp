@@ -47,7 +47,8 @@ class ContactTracker {
 
   /// The pairs that were within reach of late.
   std::span<NearContact> contacts() noexcept { return {contacts_.data(), static_cast<size_t>(count_)}; }
-  double tool_radius() const noexcept { return tool_radius_; }  ///< from the centre of mass, m
+  double tool_radius() const noexcept { return tool_radius_; }        ///< from the centre of mass, m
+  double bodies_way() const noexcept { return pairs_.bodies_way(); }  ///< m, of any near body's point, this tick
   int skipped() const noexcept { return skipped_; }    ///< pairs without a measurement and points left out, this tick
   int measured() const noexcept { return measured_; }  ///< distance queries for refreshing pairs, this tick
 

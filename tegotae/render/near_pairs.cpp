@@ -143,7 +143,7 @@ double NearPairs::room_by_plane(TrackedPair& pair, const Pose& X_WT) const noexc
 }
 
 void NearPairs::move_bodies(const IntermediateRepresentation& model) noexcept {
-  double furthest = 0.0;
+  bodies_way_ = 0.0;
   for (int i = 0; i < body_count_; ++i) {
     const NearBody& near = model.bodies[static_cast<size_t>(i)];
     TrackedBody& body = bodies_[static_cast<size_t>(i)];
@@ -155,9 +155,9 @@ void NearPairs::move_bodies(const IntermediateRepresentation& model) noexcept {
     body.p_WC = near.p_WC;
     const double most = body.linear + body.angular * body.radius;
     body.travelled += most;
-    furthest = std::max(furthest, most);
+    bodies_way_ = std::max(bodies_way_, most);
   }
-  travelled_ += furthest;
+  travelled_ += bodies_way_;
 }
 
 int NearPairs::nearest_below(double room) noexcept {

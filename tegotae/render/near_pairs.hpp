@@ -60,6 +60,9 @@ class NearPairs {
     travelled_ += way;
   }
 
+  /// How far a point of a moving body moved in the last `take`, at most, m.
+  double bodies_way() const noexcept { return bodies_way_; }
+
   /// The far pair with least room, -1 without any whose room is less than `room` (m).
   int nearest_below(double room) noexcept;
 
@@ -119,6 +122,7 @@ class NearPairs {
   int body_count_ = 0;
   int former_body_count_ = 0;
   double tool_travelled_ = 0.0;
+  double bodies_way_ = 0.0;
   double travelled_ = 0.0;    ///< at least what tool and any one body travelled together
   double next_look_ = -kFar;  ///< no far pair has less room than this minus `travelled_`
   std::uint64_t sequence_ = 0;

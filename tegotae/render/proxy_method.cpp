@@ -79,11 +79,13 @@ bool ProxyMethod::admit(const RenderInput& input, RenderOutput& output) noexcept
   return true;
 }
 
-// Points beyond the hand's own way in this tick are seldom needed, and on finely curved tools there are many.
-double ProxyMethod::first_margin(const RenderInput& input) const noexcept {
-  const double way = way_of(displacement(X_WT_before_, input.X_WT, mass_.centre_of_mass));
-  return std::clamp(tolerance::kMarginOfWay * way, std::min(tolerance::kLeastMargin, parameters_.margin),
-                    parameters_.margin);
+// Points beyond the hand's own way in this tick, and that of the bodies, are seldom needed, and on finely curved tools
+// there are many. Where hand or bodies outrun all linearisations of a tick, at the margin that was asked for, these get
+// a greater one, so that the proxy does not stay behind.
+double ProxyMethod::first_margin(const RenderInput& input) noexcept {
+  const double way = way_of(displacement(X_WT_before_, input.X_WT, mass_.centre_of_mass)) + tracker_.bodies_way();
+  margin_limit_ = std::max(parameters_.margin, tolerance::kMarginLimitOfWay * way);
+  return std::clamp(tolerance::kMarginOfWay * way, std::min(tolerance::kLeastMargin, margin_limit_), margin_limit_);
 }
 
 // One linearisation about the proxy's present pose. True if another one would move it no more than a settled step.
@@ -108,9 +110,9 @@ bool ProxyMethod::linearise(const RenderInput& input, double& margin, RenderOutp
   predict(x);
   const double moved = step(x, p_WCm);
   const double load_change = take_loads(X_WP_solved);
-  const bool bounded = moved < 0.9 * way;
+  const bool bounded = moved < way - tolerance::kSettledStep;
   if (bounded) {
-    margin = std::min(parameters_.margin, tolerance::kMarginGrowth * margin);
+    margin = std::min(margin_limit_, tolerance::kMarginGrowth * margin);
     return moved == 0.0;
   }
   if (moved < tolerance::kSettledStep) return true;

@@ -36,7 +36,7 @@ class ProxyMethod {
  public:
   struct Parameters {
     Coupling coupling;
-    double margin = 1e-3;              ///< m that one linearisation may move a tool point
+    double margin = 1e-3;  ///< m that one linearisation may move a tool point; more where hand or bodies are fast
     std::optional<double> friction;    ///< Coulomb coefficient of all pairs, in place of the scene's
     double friction_scale = 1.0;       ///< of the scene's coefficients
     double kinetic_friction = 1.0;     ///< while slipping, as a part of the coefficient
@@ -78,7 +78,7 @@ class ProxyMethod {
   double step(const Vector6& x, const Vector3& p_WCm) noexcept;
   bool is_settled(double stretch) noexcept;
   double way_of_turned_arms(const Vector6& x, const Vector3& p_WCm) const noexcept;
-  double first_margin(const RenderInput& input) const noexcept;
+  double first_margin(const RenderInput& input) noexcept;
   double take_loads(const Pose& X_WP_solved) noexcept;
   ContactLoad load_of(int contact, const Vector3& n_W, size_t& active) noexcept;
   void display(const RenderInput& input, RenderOutput& output) noexcept;
@@ -106,6 +106,7 @@ class ProxyMethod {
   int left_out_ = 0;                        ///< points without a row, this tick
   Pose X_WP_;                               ///< the proxy
   Pose X_WP_start_;                         ///< at the start of the tick
+  double margin_limit_ = 0.0;               ///< m, of a linearisation in this tick
   double push_out_ = 0.0;                   ///< m that the tool may still be pushed out of something in this tick
   Vector6 moved_before_ = Vector6::Zero();  ///< displacement of the proxy in the last tick
   Vector6 displacement_before_ = Vector6::Zero();

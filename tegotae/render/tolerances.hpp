@@ -63,12 +63,16 @@ inline constexpr double kSettledLoad = 0.02;
 /// m. Least margin of a linearisation: a hand at rest trembles by less in a millisecond.
 inline constexpr double kLeastMargin = 20e-6;
 
-/// How many times the hand's way in a tick the first linearisation of the tick may move the tool. Where that does not
-/// suffice the margin of the next one grows.
+/// How many times the way of hand and bodies in a tick the first linearisation of the tick may move the tool. Where
+/// that does not suffice the margin of the next one grows.
 inline constexpr double kMarginOfWay = 1.25;
 
 /// The factor by which it grows.
 inline constexpr double kMarginGrowth = 5.0;
+
+/// How many times the way of hand and bodies in a tick any linearisation may move the tool, even if that exceeds the
+/// margin: the linearisations of a tick together go twice as far as those.
+inline constexpr double kMarginLimitOfWay = 0.5;
 
 /// Linearisations of a tick: faces need one, edges on edges and the way over an edge two to four.
 inline constexpr int kLinearisations = 4;

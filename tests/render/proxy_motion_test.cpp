@@ -106,6 +106,27 @@ TEST(ProxyMotion, CapsulesSideBySideSlideFreely) {
   }
 }
 
+// On a smooth floor the tool keeps up with a hand of any speed, however small the margin.
+TEST(ProxyMotion, AFastHandIsNotDraggedBack) {
+  for (const double margin : {1e-5, 1e-3}) {
+    for (const double speed : {0.7, 1.0, 3.0, 10.0}) {
+      ProxyRig rig({make_box({0.02, 0.02, 0.02})});
+      rig.parameters.margin = margin;
+      rig.add_body(make_plane());
+      rig.tick(at(0.0, 0.0, 0.021));
+      rig.hold(at(0.0, 0.0, 0.02 - 3e-3), 600);
+      for (int i = 0; i <= 100; ++i) {
+        const double way = speed * ProxyRig::kPeriod * i;
+        const Wrench& wrench = rig.tick(at({way, 0.2 * way, 0.02 - 3e-3}, {0.0, 0.0, 20.0 * way}));
+        ASSERT_LT(wrench.force.head<2>().norm(), 0.04) << margin << " " << speed << " " << i;
+        ASSERT_LT(wrench.torque.norm(), 2e-3) << margin << " " << speed << " " << i;
+      }
+      EXPECT_NEAR(rig.output.wrench.force.z(), ProxyRig::kStiffness * (3e-3 + 2e-6), 0.04);
+      EXPECT_GT(rig.clearance(), 0.0);
+    }
+  }
+}
+
 // The force follows the hand without steps: what changes in a tick is at most a few times what the hand's own motion
 // through the coupling makes.
 TEST(ProxyMotion, AFaceRockedOnAFloorIsFeltWithoutSteps) {
@@ -173,6 +194,28 @@ TEST(ProxyMotion, AMovingObjectPushesTheTool) {
   }
   ASSERT_EQ(rig.output.bodies.moving().size(), 1u);
   EXPECT_LT((rig.output.bodies.moving()[0].on_body.force + rig.output.wrench.force).norm(), 1e-3);
+}
+
+// The tool is pushed along by a body of any speed, and free as soon as that has gone.
+TEST(ProxyMotion, AFastObjectIsNotPassedThrough) {
+  for (const double speed : {1.0, 3.0, 10.0}) {
+    ProxyRig rig({make_box({0.02, 0.02, 0.02})});
+    const int wall = rig.add_body(make_box({0.02, 0.1, 0.1}), at(0.045, 0.0, 0.0), true);
+    const Pose held = at(0.0, 0.0, 0.0);
+    rig.tick(held);
+    double x = 0.045;
+    for (; x > -0.05; x -= speed * ProxyRig::kPeriod) {
+      rig.move_body(wall, at(x, 0.0, 0.0));
+      rig.tick(held);
+      ASSERT_NEAR(rig.output.X_WP.p.x(), std::min(0.0, x - 0.04), 5e-6) << speed;
+    }
+    for (; x < 0.06; x += speed * ProxyRig::kPeriod) {
+      rig.move_body(wall, at(x, 0.0, 0.0));
+      rig.tick(held);
+      ASSERT_NEAR(rig.output.X_WP.p.x(), std::min(0.0, x - 0.04), 5e-6) << speed;
+    }
+    EXPECT_EQ(rig.output.wrench.force.norm(), 0.0);
+  }
 }
 
 TEST(ProxyMotion, RenderingAllocatesNothing) {
