@@ -90,10 +90,11 @@ ComparisonResult perform(const ComparisonRequest& request) {
 }
 
 // So that nothing of an earlier comparison is taken for this one's, whatever becomes of it.
-void remove_earlier_results(const ComparisonRequest& request, const std::filesystem::path& folder) {
+// Of whatever experiments the earlier comparison was.
+void remove_earlier_results(const std::filesystem::path& folder) {
   std::error_code ignored;
   for (const char* name : {"comparison.md", "comparison.json"}) std::filesystem::remove(folder / name, ignored);
-  for (const Experiment& experiment : request.experiments) {
+  for (const Experiment& experiment : experiments()) {
     for (const char* ending : {".svg", ".png", ".gnuplot", ".dat"}) {
       std::filesystem::remove(folder / "figures" / (experiment.name + ending), ignored);
     }
@@ -113,7 +114,7 @@ void run(const CompareOptions& options) {
   const ComparisonRequest request = request_of(options);
   const std::filesystem::path folder = options.folder;
   make_folder(folder);
-  remove_earlier_results(request, folder);
+  remove_earlier_results(folder);
   listen_for_interruption();
   const ComparisonResult result = perform(request);
   write_text(folder / "comparison.json", comparison_json(result));

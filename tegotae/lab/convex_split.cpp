@@ -88,6 +88,12 @@ nlohmann::json run_script(const nlohmann::json& request, const std::filesystem::
 
 double volume_of_hull(const std::vector<Vector3>& points) { return mass_properties(make_hull(points), 1.0).mass; }
 
+// Whether a mesh of this volume is its own hull, but for rounding in its file.
+bool is_filled(const Polytope& hull, double mesh_volume) {
+  constexpr double kRounding = 1e-4;
+  return mesh_volume >= (1.0 - kRounding) * volume_of_hull(hull.vertices);
+}
+
 }  // namespace
 
 ConvexSplit split_convex(const Mesh& mesh, const SplitSettings& settings, const std::filesystem::path& file) {
@@ -99,6 +105,11 @@ ConvexSplit split_convex(const Mesh& mesh, const SplitSettings& settings, const 
   }
   ConvexSplit split;
   split.mesh_volume = volume_of(mesh);
+  if (const Polytope whole = convex_hull(mesh.vertices); is_filled(whole, split.mesh_volume)) {
+    split.pieces = {whole};
+    split.sum_volume = split.union_volume = volume_of_hull(whole.vertices);
+    return split;
+  }
   const nlohmann::json answer = run_script(request_of(mesh, settings), file);
   for (const auto& coordinates : answer.at("pieces")) {
     std::vector<Vector3> points;

@@ -24,9 +24,9 @@ struct ConvexSplit {
   double union_volume = 0.0;  ///< of what they fill together, on a grid of points: to about 1 %
 };
 
-/// Splits a mesh by V-HACD (Mamou), which runs in Node.js as the npm package vhacd-js. The same mesh and settings give
-/// the same pieces. Takes seconds to minutes. Throws InputError where Node.js or the package is missing, or where the
-/// mesh is not the surface of a solid; `file` is named in the message.
+/// Splits a mesh; one that is convex stays whole. By V-HACD (Mamou), which runs in Node.js as the npm package vhacd-js.
+/// The same mesh and settings give the same pieces. Takes seconds to minutes. Throws InputError where Node.js or the
+/// package is missing, or where the mesh is not the surface of a solid; `file` is named in the message.
 ConvexSplit split_convex(const Mesh& mesh, const SplitSettings& settings, const std::filesystem::path& file);
 
 /// Writes each piece to `folder` as STEM-1.obj, STEM-2.obj, ..., and what a scene includes to use them:

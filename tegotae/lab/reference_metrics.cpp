@@ -61,7 +61,7 @@ Deviation deviation_of(const Series& series, std::span<const TickRecord> records
     deviation.worst = error;
     deviation.worst_time = records[i].time;
   }
-  if (defined > 0.0) deviation.rmse = std::sqrt(squares / defined);
+  deviation.rmse = defined > 0.0 ? std::sqrt(squares / defined) : std::numeric_limits<double>::quiet_NaN();
   return deviation;
 }
 

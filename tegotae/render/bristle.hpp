@@ -33,7 +33,6 @@ struct ContactLoad {
 class Bristle {
  public:
   bool is_loaded() const noexcept { return normal_force_ > 0.0; }
-  bool is_slipping() const noexcept { return slipping_; }
   double normal_force() const noexcept { return normal_force_; }
   Vector3 centre(const Pose& X_WT) const noexcept { return X_WT * centre_T_; }
 

@@ -96,6 +96,7 @@ bool ProxyMethod::linearise(const RenderInput& input, double& margin, RenderOutp
   const double least = tracker_.measure(X_WP_, margin);
   const double reach = margin + std::max(least, 0.0);
   set_objective(input);
+  to_hand_ = displacement(X_WP_, input.X_WT, mass_.centre_of_mass);
 
   rows_.clear();
   blocks_.clear();
@@ -217,11 +218,22 @@ void ProxyMethod::display(const RenderInput& input, RenderOutput& output) noexce
   output.X_WP = X_WP_;
   output.skipped_pairs += tracker_.skipped() + left_out_;
   output.active_count = rows_.empty() ? 0 : static_cast<int>(solution_.active_rows.size());
+  output.deepest = deepest_at_hand();
   push_bodies(output);
   feel_impact(input, output);
   displacement_before_ = felt;
   moved_before_ = displacement(X_WP_start_, X_WP_, mass_.centre_of_mass);
   X_WT_before_ = input.X_WT;
+}
+
+// By the linear model of the last linearisation.
+double ProxyMethod::deepest_at_hand() const noexcept {
+  double deepest = 0.0;
+  const int count = std::min(static_cast<int>(rows_.size()), problem_.contact_count());
+  for (int i = 0; i < count; ++i) {
+    deepest = std::max(deepest, -rows_[static_cast<size_t>(i)].gap - problem_.J(i).dot(to_hand_));
+  }
+  return deepest;
 }
 
 void ProxyMethod::feel_impact(const RenderInput& input, RenderOutput& output) noexcept {

@@ -82,6 +82,7 @@ class ProxyMethod {
   double take_loads(const Pose& X_WP_solved) noexcept;
   ContactLoad load_of(int contact, const Vector3& n_W, size_t& active) noexcept;
   void display(const RenderInput& input, RenderOutput& output) noexcept;
+  double deepest_at_hand() const noexcept;
   void push_bodies(RenderOutput& output) noexcept;
   void feel_impact(const RenderInput& input, RenderOutput& output) noexcept;
   double way_of(const Vector6& x) const noexcept {
@@ -110,6 +111,7 @@ class ProxyMethod {
   double push_out_ = 0.0;                   ///< m that the tool may still be pushed out of something in this tick
   Vector6 moved_before_ = Vector6::Zero();  ///< displacement of the proxy in the last tick
   Vector6 displacement_before_ = Vector6::Zero();
+  Vector6 to_hand_ = Vector6::Zero();  ///< from where the last linearisation was posed to where the hand holds the tool
   Pose X_WT_before_;
 };
 

@@ -69,6 +69,21 @@ TEST(ConvexSplit, AMeshThatIsNoSolidIsRefused) {
   }
 }
 
+TEST(ConvexSplit, AMeshThatIsConvexStaysWhole) {
+  Mesh cube;
+  for (const double z : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      for (const double x : {-1.0, 1.0}) cube.vertices.emplace_back(x, y, z);
+    }
+  }
+  cube.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  const ConvexSplit split = split_convex(cube, {}, "cube.obj");
+  ASSERT_EQ(split.pieces.size(), 1U);
+  EXPECT_EQ(split.pieces[0].vertices.size(), 8U);
+  EXPECT_NEAR(split.union_volume, 8.0, 1e-12);
+}
+
 TEST(ConvexSplit, AnAngleIsSplitIntoHullsOfItsVolumeAndAlwaysTheSameOnes) {
   const TemporaryFolder folder;
   const Mesh mesh = read_mesh(folder.write("angle.obj", kAngle));

@@ -39,6 +39,17 @@ TEST(ProxyStatic, AFacePressedFlatHasNoTorque) {
   }
 }
 
+TEST(ProxyStatic, TellsHowDeepTheHandHoldsTheTool) {
+  ProxyRig rig({make_box(Vector3::Constant(kHalf))});
+  rig.add_body(make_plane());
+  rig.hold(at(0.0, 0.0, kHalf + 0.05), 2);
+  EXPECT_EQ(rig.output.deepest, 0.0);
+  for (const double depth : {1e-3, 10e-3}) {
+    rig.hold(at(0.0, 0.0, kHalf - depth), 50);
+    EXPECT_NEAR(rig.output.deepest, depth, 1e-9);
+  }
+}
+
 TEST(ProxyStatic, AnEdgeIsFeltAsTheClosedFormSays) {
   const double depth = 0.35e-3;
   for (double degrees = 45.0; degrees >= 2.0; degrees -= 1.0) {
