@@ -19,12 +19,14 @@ constexpr int kPieces = 450;
 // A shell of balls about the origin, evenly spread (a Fibonacci lattice), `clearance` from a ball of radius 20 mm.
 std::vector<Shape> shell_of_balls(double clearance) {
   constexpr double kRadius = 0.004;
+  const Shape ball = make_sphere(kRadius);
   std::vector<Shape> balls;
   for (int i = 0; i < kPieces; ++i) {
     const double z = 1.0 - (2.0 * i + 1.0) / kPieces, turn = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
     const double across = std::sqrt(1.0 - z * z);
     const Vector3 direction(across * std::cos(turn), across * std::sin(turn), z);
-    balls.push_back(make_sphere(kRadius, {(0.02 + kRadius + clearance) * direction, Quaternion::Identity()}));
+    balls.push_back(ball);
+    balls.back().X_BS.p = (0.02 + kRadius + clearance) * direction;
   }
   return balls;
 }
