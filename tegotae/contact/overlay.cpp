@@ -152,7 +152,7 @@ int overlay(const OverlayQuery& query, OverlayWorkspace& workspace, std::span<Ov
   add_object_vertices(workspace, collector);
   add_crossings(workspace, collector);
   add_ends_over_ridges(workspace, collector);
-  if (collector.least_gap() > query.distance + tolerances::kTouching) {
+  if (query.closest_pair && collector.least_gap() > query.distance + tolerances::kTouching) {
     collector.add({query.p_WA, query.distance, packed(PointKind::kClosestPair, 0, 0)});
   }
   return collector.count();

@@ -24,6 +24,7 @@ struct OverlayQuery {
   Vector3 n_W = Vector3::UnitZ();       ///< unit, out of the object
   double distance = 0.0;                ///< m; negative: minus the depth
   double margin = 0.0;                  ///< m
+  bool closest_pair = true;             ///< whether the closest pair is added where no point is as near
   int hint_tool = 0;                    ///< where hill climbing starts: any vertex
   int hint_object = 0;
 };

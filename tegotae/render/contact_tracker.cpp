@@ -238,21 +238,22 @@ void ContactTracker::accept(double way) noexcept {
   }
 }
 
-std::span<const OverlayPoint> ContactTracker::points(const NearContact& contact, const Pose& X_WP,
+std::span<const OverlayPoint> ContactTracker::points(const NearContact& contact, const Facing& facing, const Pose& X_WP,
                                                      double reach) noexcept {
   const PlacedShape tool = placed_tool(contact, X_WP);
   PlacedShape object = placed_object(contact);
   if (contact.now.by_plane) {
-    object = {half_space_, {contact.now.p_WB, Quaternion::FromTwoVectors(Vector3::UnitZ(), contact.now.n_W)}};
+    object = {half_space_, {facing.p_WB, Quaternion::FromTwoVectors(Vector3::UnitZ(), facing.n_W)}};
   }
   OverlayQuery query;
   query.tool = &tool;
   query.object = &object;
-  query.p_WA = contact.now.p_WA;
-  query.p_WB = contact.now.p_WB;
-  query.n_W = contact.now.n_W;
-  query.distance = contact.now.gap;
-  query.margin = reach - contact.now.gap;
+  query.p_WA = facing.p_WA;
+  query.p_WB = facing.p_WB;
+  query.n_W = facing.n_W;
+  query.distance = facing.gap;
+  query.margin = reach - facing.gap;
+  query.closest_pair = contact.now.by_plane || !facing.by_plane;
   query.hint_tool = contact.cache.hint_tool;
   query.hint_object = contact.cache.hint_object;
   const int count = overlay(query, workspace_, points_);

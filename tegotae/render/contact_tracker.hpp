@@ -41,7 +41,14 @@ class ContactTracker {
   void accept(double way) noexcept;
 
   /// Contact points of one pair at the present pose with gap < `reach`. Valid until the next call.
-  std::span<const OverlayPoint> points(const NearContact& contact, const Pose& X_WP, double reach) noexcept;
+  /// Facing `by_plane` of a contact that was measured: see `stand_in`.
+  std::span<const OverlayPoint> points(const NearContact& contact, const Facing& facing, const Pose& X_WP,
+                                       double reach) noexcept;
+
+  /// How the pair faces along the normal `n_W` (unit) of another pair.
+  Facing stand_in(NearContact& contact, const Vector3& n_W, const Pose& X_WP) const noexcept {
+    return facing_along(placed_tool(contact, X_WP), placed_object(contact), n_W, contact.cache);
+  }
 
   void reset() noexcept;
 

@@ -29,6 +29,7 @@ ProxyMethod::ProxyMethod(const Parameters& parameters, const SceneGeometry& geom
       solution_(problem_),
       transient_(parameters.transient) {
   rows_.reserve(kMaxRows);
+  pushing_.reserve(kMaxNearPieces);
   blocks_.reserve(kMaxFrictionBlocks);
   patch_.reserve(kMaxPatchCorners);
 }
@@ -191,8 +192,9 @@ double ProxyMethod::step(const Vector6& x, const Vector3& p_WCm) noexcept {
 // Whether the contacts at the new pose are those that the linear model foresaw: gaps, normals and loads.
 bool ProxyMethod::is_settled(double stretch) noexcept {
   const auto contacts = tracker_.contacts();
-  return std::all_of(contacts.begin(), contacts.end(), [stretch](const NearContact& contact) {
+  return std::all_of(contacts.begin(), contacts.end(), [stretch, skin = skin_](const NearContact& contact) {
     if (!contact.tried) return true;
+    if (contact.predicted == NearContact::kNoRows) return contact.now.gap > skin - tolerance::kSettledStep;
     return std::abs(contact.now.gap - contact.predicted) < tolerance::kSettledStep &&
            contact.turned * stretch < tolerance::kSettledStep;
   });

@@ -69,6 +69,7 @@ class ProxyMethod {
   bool linearise(const RenderInput& input, double& margin, RenderOutput& output) noexcept;
   void set_objective(const RenderInput& input) noexcept;
   void collect_rows(double reach) noexcept;
+  Facing facing_of_rows(NearContact& contact) noexcept;
   void fill_problem(const RenderInput& input, const Vector3& p_WCm, bool push_out) noexcept;
   void add_friction(const RenderInput& input, const Vector3& p_WCm) noexcept;
   Vector6 solve(const RenderInput& input, const Vector3& p_WCm, RenderOutput& output) noexcept;
@@ -98,7 +99,8 @@ class ProxyMethod {
   ConstraintSolution<6> solution_;
   ConstraintSolver<6> solver_;
   std::vector<RowSource> rows_;
-  std::vector<int> blocks_;  ///< contact of each friction block
+  std::vector<int> pushing_;  ///< contacts that carried in the last solve
+  std::vector<int> blocks_;   ///< contact of each friction block
   std::vector<Vector2> patch_;
   ContactTransient transient_;
 

@@ -10,19 +10,43 @@ namespace tegotae {
 
 void ProxyMethod::collect_rows(double reach) noexcept {
   const auto contacts = tracker_.contacts();
+  pushing_.clear();
   for (size_t i = 0; i < contacts.size(); ++i) {
-    const NearContact& contact = contacts[i];
+    if (contacts[i].pushes && contacts[i].measured && contacts[i].now.separated)
+      pushing_.push_back(static_cast<int>(i));
+  }
+  for (size_t i = 0; i < contacts.size(); ++i) {
+    NearContact& contact = contacts[i];
     if (!contact.measured || contact.now.gap >= reach) continue;
-    const auto points = tracker_.points(contact, X_WP_, reach);
+    const Facing facing = facing_of_rows(contact);
+    contact.n_row_W = facing.n_W;
+    const auto points = tracker_.points(contact, facing, X_WP_, reach);
     // Every contact to come has room for its nearest point.
     const size_t room = rows_.capacity() - rows_.size() - (contacts.size() - i - 1);
     if (points.size() > room) {
-      rows_.push_back({static_cast<int>(i), contact.now.p_WA, contact.now.gap});
+      rows_.push_back({static_cast<int>(i), facing.p_WA, facing.gap});
       left_out_ += static_cast<int>(points.size()) - 1;
       continue;
     }
     for (const OverlayPoint& point : points) rows_.push_back({static_cast<int>(i), point.p_WA, point.gap});
   }
+}
+
+// Over a seam between flush pieces the nearest direction to the next one is along the surface, and the tool would stop
+// at nothing. So a piece that does not push yet is faced as one that does, where that plane parts the two as well.
+Facing ProxyMethod::facing_of_rows(NearContact& contact) noexcept {
+  constexpr int kMostTried = 4;
+  constexpr double kOtherDirection = 0.9;  // cosine
+  if (contact.pushes || contact.now.by_plane || !contact.now.separated) return contact.now;
+  int tried = 0;
+  for (const int i : pushing_) {
+    const NearContact& other = tracker_.contacts()[static_cast<size_t>(i)];
+    if (other.now.n_W.dot(contact.now.n_W) > kOtherDirection) continue;
+    if (++tried > kMostTried) break;
+    const Facing along = tracker_.stand_in(contact, other.now.n_W, X_WP_);
+    if (along.gap >= 0.25 * skin_) return along;
+  }
+  return contact.now;
 }
 
 // With `push_out` every point is asked to keep the skin; without, those of pairs that overlap are only asked to undo
@@ -42,7 +66,7 @@ void ProxyMethod::fill_problem(const RenderInput& input, const Vector3& p_WCm, b
     if ((!push_out || contact.now.by_plane) && contact.now.gap < 0.0)
       target = std::min(skin_, source.gap + contact.deepened);
     Vector6 J;
-    J << contact.now.n_W, (source.p_W - p_WCm).cross(contact.now.n_W);
+    J << contact.n_row_W, (source.p_W - p_WCm).cross(contact.n_row_W);
     problem_.add_contact(J, target - source.gap, compliance);
   }
   add_friction(input, p_WCm);
@@ -55,13 +79,13 @@ void ProxyMethod::add_friction(const RenderInput& input, const Vector3& p_WCm) n
     NearContact& contact = contacts[i];
     if (!contact.bristle.is_loaded() || !contact.friction.rubs()) continue;
     if (contact.friction.static_coefficient > 0.0 &&
-        problem_.add_friction(contact.bristle.block(contact.friction, X_WP_, contact.X_WB, p_WCm, contact.now.n_W))) {
+        problem_.add_friction(contact.bristle.block(contact.friction, X_WP_, contact.X_WB, p_WCm, contact.n_row_W))) {
       blocks_.push_back(static_cast<int>(i));
     }
     if (!(contact.friction.viscous > 0.0)) continue;
     const Vector3 moved_W = contact.bristle.centre(X_WP_) - contact.bristle.centre(X_WP_start_);
     if (problem_.add_friction(
-            contact.bristle.drag(contact.friction, X_WP_, p_WCm, contact.now.n_W, moved_W, input.dt))) {
+            contact.bristle.drag(contact.friction, X_WP_, p_WCm, contact.n_row_W, moved_W, input.dt))) {
       blocks_.push_back(static_cast<int>(i));
     }
   }
@@ -77,7 +101,7 @@ bool ProxyMethod::is_inside() noexcept {
 // The least gap that the linear model sees for each contact after the step.
 void ProxyMethod::predict(const Vector6& x) noexcept {
   const auto contacts = tracker_.contacts();
-  for (NearContact& contact : contacts) contact.predicted = 1e300;
+  for (NearContact& contact : contacts) contact.predicted = NearContact::kNoRows;
   for (size_t i = 0; i < std::min(rows_.size(), static_cast<size_t>(problem_.contact_count())); ++i) {
     double& predicted = contacts[static_cast<size_t>(rows_[i].contact)].predicted;
     predicted = std::min(predicted, rows_[i].gap + problem_.J(static_cast<int>(i)).dot(x));
@@ -92,7 +116,8 @@ double ProxyMethod::take_loads(const Pose& X_WP_solved) noexcept {
   const auto contacts = tracker_.contacts();
   for (size_t i = 0; i < contacts.size(); ++i) {
     NearContact& contact = contacts[i];
-    const ContactLoad load = load_of(static_cast<int>(i), contact.now.n_W, active);
+    const ContactLoad load = load_of(static_cast<int>(i), contact.n_row_W, active);
+    contact.pushes = load.normal_force > 0.0;
     if (!contact.friction.rubs()) continue;
     const double before = contact.bristle.normal_force();
     change = std::max(change, contact.friction.static_coefficient * std::abs(load.normal_force - before));

@@ -127,6 +127,40 @@ TEST(ProxyMotion, AFastHandIsNotDraggedBack) {
   }
 }
 
+// Boxes side by side make a floor: no seam of it is felt, flat or tilted, at any speed.
+TEST(ProxyMotion, SeamsOfAFloorOfBoxesAreNotFelt) {
+  for (const double speed : {0.0937, 0.333, 0.977}) {
+    for (const double tilt : {0.0, 0.1}) {
+      ProxyRig rig({make_box({0.03, 0.015, 0.03})});
+      for (int i = -5; i <= 5; ++i) rig.add_body(make_box({0.02, 0.02, 0.02}), at(0.04 * i, 0.0, -0.02));
+      const double height = 0.03 * std::cos(tilt) + 0.03 * std::sin(tilt);
+      rig.hold(at({-0.1, 0.0, height + 1e-3}, {0.0, tilt, 0.0}), 2);
+      rig.hold(at({-0.1, 0.0, height - 1e-3}, {0.0, tilt, 0.0}), 300);
+      LargestChange change;
+      for (int i = 0; i < static_cast<int>(0.2 / speed * 1e3); ++i) {
+        change.add(rig.tick(at({-0.1 + 1e-3 * speed * i, 0.0, height - 1e-3}, {0.0, tilt, 0.0})));
+        ASSERT_LT(std::abs(rig.output.wrench.force.x()), 0.04) << speed << " " << tilt << " " << i;
+        ASSERT_GT(rig.clearance(), 0.0);
+      }
+      EXPECT_LT(change.force, 0.04) << speed << " " << tilt;
+      EXPECT_LT(change.torque, 2e-3) << speed << " " << tilt;
+    }
+  }
+}
+
+// A step in the floor is one, however low.
+TEST(ProxyMotion, AStepInTheFloorIsNoSeam) {
+  ProxyRig rig({make_box({0.01, 0.01, 0.01})});
+  rig.add_body(make_box({0.05, 0.05, 0.02}), at(-0.05, 0.0, -0.02));
+  rig.add_body(make_box({0.05, 0.05, 0.02}), at(0.05, 0.0, -0.02 + 20e-6));
+  rig.hold(at(-0.03, 0.0, 0.011), 2);
+  rig.hold(at(-0.03, 0.0, 0.009), 100);
+  for (int i = 0; i <= 200; ++i) rig.tick(at(-0.03 + 1e-4 * i, 0.0, 0.009));
+  // The hand stands flush with the step, then 1 mm beyond it: held back by a side 20 um high.
+  rig.hold(at(-0.01 + 1e-3, 0.0, 0.009), 20);
+  EXPECT_NEAR(rig.output.wrench.force.x(), -ProxyRig::kStiffness * 1e-3, 0.05);
+}
+
 // The force follows the hand without steps: what changes in a tick is at most a few times what the hand's own motion
 // through the coupling makes.
 TEST(ProxyMotion, AFaceRockedOnAFloorIsFeltWithoutSteps) {
