@@ -95,10 +95,10 @@ TEST(ProgramExport, ARecordedRunIsRenderedAgainTheSame) {
   const auto at = [&](const char* name) { return (folder.path() / name).string(); };
   const std::string motion =
       folder.write("motion.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0.101,0,1,0,0,0\n0.5,0,0.0995,0,1,0,0,0\n");
+  const std::string scene = std::string(TEGOTAE_SCENES) + "/paper-cube.xml";
   const auto render = [&](const std::string& trajectory, const std::string& out, const std::string& recording) {
-    std::vector<std::string> command = {"render",   "--scene", TEGOTAE_SCENES "/paper-cube.xml",
-                                        "--tool",   "tool",    "--trajectory",
-                                        trajectory, "--out",   out};
+    std::vector<std::string> command = {"render",       "--scene",  scene,   "--tool", "tool",
+                                        "--trajectory", trajectory, "--out", out};
     if (!recording.empty()) command.insert(command.end(), {"--record", recording});
     const ProgramResult result = run_program(command);
     EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -74,8 +74,9 @@ TEST(Mcap, WhatWasWrittenIsRead) {
 TEST(Mcap, IsReadByTheReferenceLibrary) {
   const TemporaryFolder folder;
   write_some(folder.path() / "a.mcap", 7);
-  const ChildResult result = run_child({"node", TEGOTAE_TESTS "/stream/read_with_mcap_core.js", TEGOTAE_NPM_PACKAGES,
-                                        (folder.path() / "a.mcap").string(), (folder.path() / "read.json").string()},
+  const std::string script = std::string(TEGOTAE_TESTS) + "/stream/read_with_mcap_core.js";
+  const ChildResult result = run_child({"node", script, TEGOTAE_NPM_PACKAGES, (folder.path() / "a.mcap").string(),
+                                        (folder.path() / "read.json").string()},
                                        folder.path());
   ASSERT_FALSE(result.not_found);
   ASSERT_EQ(result.exit_code, 0);
