@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <utility>
 
 using namespace tegotae;
 class TwoBoxes : public World {  // the port: shapes, states of what moves (nothing here), a step
@@ -27,9 +26,8 @@ class TwoBoxes : public World {  // the port: shapes, states of what moves (noth
 int main() {
   TwoBoxes world;
   const Tool& tool = world.geometry().tool;
-  RenderingMethod method = make_method("paper", {}, world.geometry());
-  PhysicsLoop physics(world, {0.01, 0.002}, needs_of(method));  // your loop, at its rate
-  HapticTick haptics(std::move(method), tool, SafetyLimits{}, 0.001);
+  PhysicsLoop physics(world, {0.01, 0.002}, ModelNeeds{});  // your loop, at its rate; with what `paper` needs
+  HapticTick haptics(make_method("paper", {}, world.geometry()), tool, SafetyLimits{}, 0.001);
   const auto model = std::make_unique<IntermediateRepresentation>();
   InterfaceState hand;
   hand.X_WT.p = Vector3(0.1195, 0.0, 0.05);  // 0.5 mm into the wall

@@ -184,9 +184,9 @@ TEST(Overlay, LinesThatNearlyCrossHaveTheGapsOfTheirBalls) {
   const PlacedShape object(capsule, {Vector3::Zero(), lying});
   const PlacedShape tool(capsule, {{0.0, 0.0, 0.02 + gap}, Quaternion(rotation_from_vector({0.0, 0.0, turn}) * lying)});
   const Overlaid result = overlaid(tool, object, 1e-3);
-  EXPECT_EQ(result.points.size(), 3u);  // where they cross, and two of the four ends, which lie over the other line
+  EXPECT_EQ(result.points.size(), 5u);  // where they cross, and the four ends, each over the other line
   for (const OverlayPoint& point : result.points) {
-    const double beside = point.p_WA.head<2>().norm() * std::tan(turn);
+    const double beside = point.p_WA.head<2>().norm() * std::sin(turn);
     EXPECT_NEAR(point.gap, std::hypot(0.02 + gap, beside) - 0.02, 1e-8);
   }
 }

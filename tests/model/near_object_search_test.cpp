@@ -92,7 +92,7 @@ TEST(NearObjectSearch, OfBodiesOfManyPiecesThePairsAreThoseOfALookAtAll) {
       }
     }
   }
-  EXPECT_GT(near, 500U);
+  EXPECT_GT(near, static_cast<size_t>(8 * sweep_size(60)));
 }
 
 }  // namespace

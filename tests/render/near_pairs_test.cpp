@@ -99,7 +99,7 @@ TEST_F(NearPairsTest, RoomsStayLowerBoundsOverMotionsAndModels) {
     }
     move();
   }
-  EXPECT_GT(positive, 1000);
+  EXPECT_GT(positive, 3 * sweep_size(400));
 }
 
 TEST_F(NearPairsTest, ThoseWithinALimitAreVisitedAndNoOthers) {
