@@ -43,7 +43,7 @@ Facing ProxyMethod::facing_of_rows(NearContact& contact) noexcept {
     const NearContact& other = tracker_.contacts()[static_cast<size_t>(i)];
     if (other.now.n_W.dot(contact.now.n_W) > kOtherDirection) continue;
     if (++tried > kMostTried) break;
-    const Facing along = tracker_.stand_in(contact, other.now.n_W, X_WP_);
+    Facing along = tracker_.stand_in(contact, other.now.n_W, X_WP_);
     if (along.gap >= 0.25 * skin_) return along;
   }
   return contact.now;
