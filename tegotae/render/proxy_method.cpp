@@ -29,7 +29,6 @@ ProxyMethod::ProxyMethod(const Parameters& parameters, const SceneGeometry& geom
       solution_(problem_),
       transient_(parameters.transient) {
   rows_.reserve(kMaxRows);
-  pushing_.reserve(kMaxNearPieces);
   blocks_.reserve(kMaxFrictionBlocks);
   patch_.reserve(kMaxPatchCorners);
 }

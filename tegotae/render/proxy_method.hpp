@@ -7,6 +7,7 @@
 #include <tegotae/render/coupling.hpp>
 #include <tegotae/render/render_types.hpp>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -69,6 +70,8 @@ class ProxyMethod {
   bool linearise(const RenderInput& input, double& margin, RenderOutput& output) noexcept;
   void set_objective(const RenderInput& input) noexcept;
   void collect_rows(double reach) noexcept;
+  void find_pushing_normals() noexcept;
+  bool is_pushing_direction(const Vector3& n_W) const noexcept;
   Facing facing_of_rows(NearContact& contact) noexcept;
   void fill_problem(const RenderInput& input, const Vector3& p_WCm, bool push_out) noexcept;
   void add_friction(const RenderInput& input, const Vector3& p_WCm) noexcept;
@@ -99,10 +102,13 @@ class ProxyMethod {
   ConstraintSolution<6> solution_;
   ConstraintSolver<6> solver_;
   std::vector<RowSource> rows_;
-  std::vector<int> pushing_;  ///< contacts that carried in the last solve
-  std::vector<int> blocks_;   ///< contact of each friction block
+  std::vector<int> blocks_;  ///< contact of each friction block
   std::vector<Vector2> patch_;
   ContactTransient transient_;
+
+  static constexpr int kMostPushing = 4;
+  std::array<Vector3, kMostPushing> pushing_normals_;  ///< of contacts that carried in the last solve
+  int pushing_count_ = 0;
 
   bool started_ = false;
   bool touched_ = false;

@@ -10,11 +10,7 @@ namespace tegotae {
 
 void ProxyMethod::collect_rows(double reach) noexcept {
   const auto contacts = tracker_.contacts();
-  pushing_.clear();
-  for (size_t i = 0; i < contacts.size(); ++i) {
-    if (contacts[i].pushes && contacts[i].measured && contacts[i].now.separated)
-      pushing_.push_back(static_cast<int>(i));
-  }
+  find_pushing_normals();
   for (size_t i = 0; i < contacts.size(); ++i) {
     NearContact& contact = contacts[i];
     if (!contact.measured || contact.now.gap >= reach) continue;
@@ -32,18 +28,34 @@ void ProxyMethod::collect_rows(double reach) noexcept {
   }
 }
 
+// The directions in which contacts pushed in the last solve, a few at most, so that the rows stay linear in contacts.
+void ProxyMethod::find_pushing_normals() noexcept {
+  pushing_count_ = 0;
+  for (const NearContact& contact : tracker_.contacts()) {
+    if (!contact.pushes || !contact.measured || !contact.now.separated) continue;
+    if (is_pushing_direction(contact.now.n_W)) continue;
+    if (pushing_count_ == kMostPushing) return;
+    pushing_normals_[static_cast<size_t>(pushing_count_++)] = contact.now.n_W;
+  }
+}
+
+bool ProxyMethod::is_pushing_direction(const Vector3& n_W) const noexcept {
+  constexpr double kSameDirection = 0.999;  // cosine
+  for (int i = 0; i < pushing_count_; ++i) {
+    if (pushing_normals_[static_cast<size_t>(i)].dot(n_W) > kSameDirection) return true;
+  }
+  return false;
+}
+
 // Over a seam between flush pieces the nearest direction to the next one is along the surface, and the tool would stop
 // at nothing. So a piece that does not push yet is faced as one that does, where that plane parts the two as well.
 Facing ProxyMethod::facing_of_rows(NearContact& contact) noexcept {
-  constexpr int kMostTried = 4;
   constexpr double kOtherDirection = 0.9;  // cosine
   if (contact.pushes || contact.now.by_plane || !contact.now.separated) return contact.now;
-  int tried = 0;
-  for (const int i : pushing_) {
-    const NearContact& other = tracker_.contacts()[static_cast<size_t>(i)];
-    if (other.now.n_W.dot(contact.now.n_W) > kOtherDirection) continue;
-    if (++tried > kMostTried) break;
-    Facing along = tracker_.stand_in(contact, other.now.n_W, X_WP_);
+  for (int i = 0; i < pushing_count_; ++i) {
+    const Vector3& n_W = pushing_normals_[static_cast<size_t>(i)];
+    if (n_W.dot(contact.now.n_W) > kOtherDirection) continue;
+    Facing along = tracker_.stand_in(contact, n_W, X_WP_);
     if (along.gap >= 0.25 * skin_) return along;
   }
   return contact.now;

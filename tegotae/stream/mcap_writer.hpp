@@ -28,16 +28,12 @@ class McapWriter {
   /// Adds one message of a channel, `time` in nanoseconds.
   void write(int channel, std::uint64_t time, std::string_view json);
 
-  /// Hands what was written to the operating system.
-  void flush() { file_.flush(); }
-
   /// Ends the file as the format asks and closes it; what is written after it is lost.
   void close();
 
   bool ok() const noexcept { return file_.ok(); }
   /// Empty, or one sentence for the user with file, cause, and mend.
   std::string error() const;
-  std::uint64_t messages() const noexcept { return message_count_; }  ///< given to `write`
 
  private:
   struct Channel {
