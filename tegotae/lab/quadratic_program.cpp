@@ -29,11 +29,11 @@ constexpr double kToTheWall = 0.995;  // share of the way to the nearest bound
 class InteriorPoint {
  public:
   explicit InteriorPoint(const QuadraticProgram& program) : program_(program), size_(program.g.size()) {
-    for (const RowGroup& group : program.groups) count_ += group.b.size();
+    for (const InequalityGroup& group : program.groups) count_ += group.b.size();
     y_ = Eigen::VectorXd::Zero(size_);
     b_.resize(count_);
     Eigen::Index first = 0;
-    for (const RowGroup& group : program.groups) {
+    for (const InequalityGroup& group : program.groups) {
       b_.segment(first, group.b.size()) = group.b;
       first += group.b.size();
     }
@@ -59,7 +59,7 @@ class InteriorPoint {
     }
     solution.converged = least <= kGoodEnough;
     Eigen::Index first = 0;
-    for (const RowGroup& group : program_.groups) {
+    for (const InequalityGroup& group : program_.groups) {
       solution.multipliers.emplace_back(multiplier.segment(first, group.b.size()));
       first += group.b.size();
     }
@@ -70,7 +70,7 @@ class InteriorPoint {
   Eigen::VectorXd times(const Eigen::VectorXd& y) const {
     Eigen::VectorXd product(count_);
     Eigen::Index first = 0;
-    for (const RowGroup& group : program_.groups) {
+    for (const InequalityGroup& group : program_.groups) {
       const Eigen::VectorXd part = y(group.columns);
       product.segment(first, group.b.size()).noalias() = group.A * part;
       first += group.b.size();
@@ -81,7 +81,7 @@ class InteriorPoint {
   Eigen::VectorXd transposed_times(const Eigen::VectorXd& z) const {
     Eigen::VectorXd product = Eigen::VectorXd::Zero(size_);
     Eigen::Index first = 0;
-    for (const RowGroup& group : program_.groups) {
+    for (const InequalityGroup& group : program_.groups) {
       const Eigen::VectorXd part = group.A.transpose() * z.segment(first, group.b.size());
       product(group.columns) += part;
       first += group.b.size();
@@ -108,7 +108,7 @@ class InteriorPoint {
   bool factorise() {
     Eigen::MatrixXd matrix = program_.H;
     Eigen::Index first = 0;
-    for (const RowGroup& group : program_.groups) {
+    for (const InequalityGroup& group : program_.groups) {
       const Eigen::Index rows = group.b.size();
       const Eigen::VectorXd weight = multiplier_.segment(first, rows).cwiseQuotient(slack_.segment(first, rows));
       const Eigen::MatrixXd weighted = weight.asDiagonal() * group.A;

@@ -8,7 +8,7 @@
 namespace tegotae {
 
 /// Rows A y(columns) >= b of a quadratic program, over a few of its unknowns.
-struct RowGroup {
+struct InequalityGroup {
   Eigen::MatrixXd A;
   Eigen::VectorXd b;
   std::vector<int> columns;
@@ -19,7 +19,7 @@ struct RowGroup {
 struct QuadraticProgram {
   Eigen::MatrixXd H;
   Eigen::VectorXd g;
-  std::vector<RowGroup> groups;
+  std::vector<InequalityGroup> groups;
 };
 
 /// A point where the conditions of Karush, Kuhn and Tucker hold: a minimum where H is positive definite.

@@ -16,10 +16,10 @@ constexpr double kCloseEnough = 1e-6;  // of the gap, relative: the step that fo
 constexpr double kProximity = 1e-7;    // makes the program's solution unique
 
 // The tangential turn t, offset d and gap g of the linear program: unknowns t1, t2, d, g, in units of `length`.
-RowGroup rows_of(const ConvexCore& core, const Vector3& n, const Vector3& centre, double length, double side) {
+InequalityGroup rows_of(const ConvexCore& core, const Vector3& n, const Vector3& centre, double length, double side) {
   const auto count = static_cast<Eigen::Index>(core.vertices.size());
   const auto tangents = tangents_of(n);
-  RowGroup rows{Eigen::MatrixXd(count, 4), Eigen::VectorXd(count), {0, 1, 2, 3}};
+  InequalityGroup rows{Eigen::MatrixXd(count, 4), Eigen::VectorXd(count), {0, 1, 2, 3}};
   for (Eigen::Index i = 0; i < count; ++i) {
     const Vector3 v = (core.vertices[static_cast<size_t>(i)] - centre) / length;
     rows.A.row(i) << side * (tangents.transpose() * v).transpose(), -side, side > 0.0 ? -1.0 : 0.0;
@@ -35,7 +35,7 @@ Vector3 turned(const ConvexCore& above, const ConvexCore& below, const Vector3& 
   program.H = kProximity * Eigen::MatrixXd::Identity(4, 4);
   program.g = Eigen::Vector4d(0.0, 0.0, 0.0, -1.0);
   program.groups = {rows_of(above, n, centre, length, 1.0), rows_of(below, n, centre, length, -1.0)};
-  RowGroup bounds{Eigen::MatrixXd(4, 2), Eigen::VectorXd::Constant(4, -1.0), {0, 1}};
+  InequalityGroup bounds{Eigen::MatrixXd(4, 2), Eigen::VectorXd::Constant(4, -1.0), {0, 1}};
   bounds.A << 1, 0, -1, 0, 0, 1, 0, -1;
   bounds.A /= most;
   program.groups.push_back(bounds);

@@ -97,11 +97,11 @@ class Builder {
   }
   double below_bound(size_t j, const Vector3& arm) const { return -(sides_[j].offset - pairs_[j].n.dot(arm)) / kUnit; }
 
-  RowGroup above_rows(size_t j) const {
+  InequalityGroup above_rows(size_t j) const {
     const PlanePair& pair = pairs_[j];
     const auto count = std::count(sides_[j].above.begin(), sides_[j].above.end(), char{1});
     const int c = column(j);
-    RowGroup rows{Eigen::MatrixXd(count, 10), Eigen::VectorXd(count), {0, 1, 2, 3, 4, 5, c, c + 1, c + 2, c + 3}};
+    InequalityGroup rows{Eigen::MatrixXd(count, 10), Eigen::VectorXd(count), {0, 1, 2, 3, 4, 5, c, c + 1, c + 2, c + 3}};
     Eigen::Index r = 0;
     for (size_t i = 0; i < sides_[j].above.size(); ++i) {
       if (!sides_[j].above[i]) continue;
@@ -112,11 +112,11 @@ class Builder {
     return rows;
   }
 
-  RowGroup below_rows(size_t j) const {
+  InequalityGroup below_rows(size_t j) const {
     const PlanePair& pair = pairs_[j];
     const auto count = std::count(sides_[j].below.begin(), sides_[j].below.end(), char{1});
     const int c = column(j);
-    RowGroup rows{Eigen::MatrixXd::Zero(count + 4, 3), Eigen::VectorXd(count + 4), {c, c + 1, c + 2}};
+    InequalityGroup rows{Eigen::MatrixXd::Zero(count + 4, 3), Eigen::VectorXd(count + 4), {c, c + 1, c + 2}};
     Eigen::Index r = 0;
     for (size_t i = 0; i < sides_[j].below.size(); ++i) {
       if (!sides_[j].below[i]) continue;
@@ -132,8 +132,8 @@ class Builder {
     return rows;
   }
 
-  RowGroup trust_rows() const {
-    RowGroup rows{Eigen::MatrixXd(12, 6), Eigen::VectorXd::Constant(12, -0.5 * in_.trust / kUnit), {0, 1, 2, 3, 4, 5}};
+  InequalityGroup trust_rows() const {
+    InequalityGroup rows{Eigen::MatrixXd(12, 6), Eigen::VectorXd::Constant(12, -0.5 * in_.trust / kUnit), {0, 1, 2, 3, 4, 5}};
     rows.A << Eigen::MatrixXd::Identity(6, 6), -Eigen::MatrixXd::Identity(6, 6);
     return rows;
   }

@@ -20,8 +20,8 @@ std::vector<int> all_columns(Eigen::Index size) {
 }
 
 // lower <= y <= upper
-RowGroup bounds(double lower, double upper, Eigen::Index size) {
-  RowGroup rows{MatrixXd(2 * size, size), VectorXd(2 * size), all_columns(size)};
+InequalityGroup bounds(double lower, double upper, Eigen::Index size) {
+  InequalityGroup rows{MatrixXd(2 * size, size), VectorXd(2 * size), all_columns(size)};
   rows.A << MatrixXd::Identity(size, size), -MatrixXd::Identity(size, size);
   rows.b << VectorXd::Constant(size, lower), VectorXd::Constant(size, -upper);
   return rows;
@@ -32,7 +32,7 @@ double residual(const QuadraticProgram& program, const QuadraticSolution& soluti
   VectorXd gradient = program.H * solution.y + program.g;
   double worst = 0.0;
   for (size_t i = 0; i < program.groups.size(); ++i) {
-    const RowGroup& group = program.groups[i];
+    const InequalityGroup& group = program.groups[i];
     const VectorXd& z = solution.multipliers[i];
     const VectorXd part = group.A.transpose() * z;
     gradient(group.columns) -= part;
@@ -63,7 +63,7 @@ TEST(QuadraticProgram, BoundsHoldAndPushWithTheGradient) {
 
 TEST(QuadraticProgram, LinearProgramEndsInACorner) {
   QuadraticProgram program{MatrixXd::Zero(2, 2), Eigen::Vector2d(-1.0, -2.0), {bounds(0.0, 3.0, 2)}};
-  RowGroup sum{MatrixXd::Constant(1, 2, -1.0), VectorXd::Constant(1, -4.0), {0, 1}};  // y0 + y1 <= 4
+  InequalityGroup sum{MatrixXd::Constant(1, 2, -1.0), VectorXd::Constant(1, -4.0), {0, 1}};  // y0 + y1 <= 4
   program.groups.push_back(sum);
   const QuadraticSolution solution = solve(program);
   ASSERT_TRUE(solution.converged);
@@ -81,7 +81,7 @@ TEST(QuadraticProgram, RandomProgramsMeetTheirConditions) {
     const MatrixXd root = random(size, size);
     QuadraticProgram program{root.transpose() * root, random(size, 1), {}};
     // Feasible at a random point; every third row is there twice, every fifth nearly.
-    RowGroup group{random(rows, size), VectorXd(), all_columns(size)};
+    InequalityGroup group{random(rows, size), VectorXd(), all_columns(size)};
     for (Eigen::Index i = 2; i < rows; i += 3) group.A.row(i) = group.A.row(i - 1);
     for (Eigen::Index i = 4; i < rows; i += 5) group.A.row(i) = group.A.row(i - 1) + 1e-7 * random(1, size);
     group.b = group.A * random(size, 1) - random(rows, 1).cwiseAbs();
@@ -106,7 +106,7 @@ TEST(QuadraticProgram, StiffOpposedRowsMeetMidway) {
   // y + s0 >= 1, -y + s1 >= 1, each slack a million times dearer than y.
   QuadraticProgram program{
       Eigen::Vector3d(1.0, 1e6, 1e6).asDiagonal().toDenseMatrix(), Eigen::Vector3d(-5.0, 0.0, 0.0), {}};
-  RowGroup rows{MatrixXd(2, 3), VectorXd::Ones(2), {0, 1, 2}};
+  InequalityGroup rows{MatrixXd(2, 3), VectorXd::Ones(2), {0, 1, 2}};
   rows.A << 1.0, 1.0, 0.0, -1.0, 0.0, 1.0;
   program.groups = {rows};
   const QuadraticSolution solution = solve(program);
