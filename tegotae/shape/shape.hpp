@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tegotae/math/pose.hpp>
+#include <tegotae/shape/colour.hpp>
 #include <tegotae/shape/convex_hull.hpp>
 
 #include <memory>
@@ -40,6 +41,8 @@ struct Shape {
   /// (curved kinds) or null (plane).
   std::shared_ptr<const Polytope> polytope;
   double polytope_error = 0.0;  ///< greatest distance of the shape's surface from the polytope's, m; 0 when exact
+
+  Colour colour;  ///< for pictures of it; nothing that is felt depends on it
 
   bool is_polytope() const noexcept { return kind == ShapeKind::kBox || kind == ShapeKind::kHull; }
   bool is_bounded() const noexcept { return kind != ShapeKind::kPlane; }

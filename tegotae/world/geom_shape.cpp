@@ -93,6 +93,16 @@ Shape bare_shape(const mjModel& m, int geom, const std::string& file, std::vecto
   }
 }
 
+// A material says the colour of its geoms, unless a geom says another of its own: MuJoCo draws it so too, and tells a
+// geom without a colour by the value that it gives those.
+Colour colour_of_geom(const mjModel& m, int geom) {
+  const float* own = m.geom_rgba + 4 * static_cast<std::ptrdiff_t>(geom);
+  const bool says_own = std::any_of(own, own + 3, [](float part) { return part != 0.5F; }) || own[3] != 1.0F;
+  const int material = m.geom_matid[geom];
+  const float* rgba = material >= 0 && !says_own ? m.mat_rgba + 4 * static_cast<std::ptrdiff_t>(material) : own;
+  return {rgba[0], rgba[1], rgba[2], rgba[3]};
+}
+
 }  // namespace
 
 Shape shape_of_geom(const mjModel_& model, int geom, const std::string& file, std::vector<std::string>& warnings) {
@@ -107,6 +117,7 @@ Shape shape_of_geom(const mjModel_& model, int geom, const std::string& file, st
   shape.priority = model.geom_priority[geom];
   shape.contact_type = model.geom_contype[geom];
   shape.contact_affinity = model.geom_conaffinity[geom];
+  shape.colour = colour_of_geom(model, geom);
   return shape;
 }
 

@@ -137,6 +137,24 @@ TEST_F(GeomShape, TakesFrictionAndFilter) {
   }
 }
 
+// As MuJoCo draws them: a material's colour, but for geoms with one of their own; else grey.
+TEST_F(GeomShape, TakesColoursOfGeomsAndMaterials) {
+  const auto world = load(R"(
+    <asset><material name="wood" rgba="0.75 0.5 0.25 1"/></asset>
+    <worldbody>
+      <geom size="0.1" material="wood"/>
+      <geom size="0.1" material="wood" rgba="0.125 0.25 0.5 0.5"/>
+      <geom size="0.1"/>
+      <body name="tool" mocap="true" pos="0 0 5"><geom size="0.05" rgba="1 0 0 1"/></body>
+    </worldbody>)");
+  const std::vector<Shape>& pieces = world->geometry().bodies.at(0).pieces;
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(pieces[0].colour, (Colour{0.75F, 0.5F, 0.25F, 1.0F}));
+  EXPECT_EQ(pieces[1].colour, (Colour{0.125F, 0.25F, 0.5F, 0.5F}));
+  EXPECT_EQ(pieces[2].colour, Colour{});
+  EXPECT_EQ(world->geometry().tool.pieces.at(0).colour, (Colour{1.0F, 0.0F, 0.0F, 1.0F}));
+}
+
 TEST_F(GeomShape, MassOfACompoundToolIsThatOfItsParts) {
   const auto world = load(R"(<worldbody><geom type="plane" size="1 1 1"/><body name="tool" mocap="true">
     <geom type="box" size="0.1 0.1 0.1" pos="0.2 0 0"/>
