@@ -6,13 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 namespace tegotae {
 namespace {
-
-constexpr std::array<std::string_view, kSafetyEvents> kEventNames = {
-    "not_finite", "ramping", "rate_limited", "force_saturated", "torque_saturated", "physics_late", "stopped"};
 
 template <class Number>
 Spread spread_of(std::span<const TickRecord> records, Number&& number) {
@@ -91,11 +87,13 @@ RunSummary summarise(const Experiment& experiment, std::span<const TickRecord> r
     summary.phases.back().missed_deadlines = missed_in(ticks, before, haptic_rate);
     summary.haptics.missed_deadlines += summary.phases.back().missed_deadlines;
   }
-  for (const std::string_view name : kEventNames) summary.safety_events[std::string(name)] = 0;
+  for (size_t event = 0; event < kSafetyEvents; ++event) {
+    summary.safety_events[name_of(static_cast<SafetyEvent>(event))] = 0;
+  }
   for (const TickRecord& record : records) {
     ++summary.statuses[name_of(static_cast<RenderStatus>(record.status))];
     for (size_t event = 0; event < kSafetyEvents; ++event) {
-      if ((record.safety_events >> event & 1U) != 0) ++summary.safety_events[std::string(kEventNames[event])];
+      if ((record.safety_events >> event & 1U) != 0) ++summary.safety_events[name_of(static_cast<SafetyEvent>(event))];
     }
     summary.dropped += static_cast<std::uint64_t>(record.dropped);
     summary.haptics.add(record.tick_us * 1e-6, record.model_age);

@@ -98,6 +98,26 @@ double displayed_ratio(const Wrench& target, const Wrench& displayed, double met
 
 }  // namespace
 
+const char* name_of(SafetyEvent event) noexcept {
+  switch (event) {
+    case SafetyEvent::kNotFinite:
+      return "not_finite";
+    case SafetyEvent::kRamping:
+      return "ramping";
+    case SafetyEvent::kRateLimited:
+      return "rate_limited";
+    case SafetyEvent::kForceSaturated:
+      return "force_saturated";
+    case SafetyEvent::kTorqueSaturated:
+      return "torque_saturated";
+    case SafetyEvent::kPhysicsLate:
+      return "physics_late";
+    case SafetyEvent::kStopped:
+      return "stopped";
+  }
+  return "unknown";
+}
+
 SafetyOutput apply_safety(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) noexcept {
   SafetyOutput output;
   const double dt = counted_time(limits, input.elapsed);

@@ -23,6 +23,9 @@ enum class SafetyEvent : std::uint8_t {
 };
 inline constexpr std::size_t kSafetyEvents = 7;
 
+/// "not_finite", "ramping", ...
+const char* name_of(SafetyEvent event) noexcept;
+
 /// N and N m. A target above it is a fault of computation, not a wrench (at 9000 N/m it is 100 m of penetration).
 inline constexpr double kLargestWrench = 1e6;
 
