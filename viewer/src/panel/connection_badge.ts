@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+import { box, setText } from "../dom";
+import type { Program } from "../program";
+
+/** Whether the page is connected, who looks and who moves the tool. */
+export class ConnectionBadge {
+  constructor(private readonly program: Program) {
+    program.connectionStates.listen((state) => {
+      const lost = box("lost");
+      document.body.dataset.connection = state.kind;
+      setText(box("connection"), { connecting: "connecting", live: "live", stopped: "stopped" }[state.kind]);
+      lost.hidden = state.kind !== "stopped";
+      const why = state.kind === "stopped" ? state.text : "";
+      setText(box("lost-text"), why === "" ? "It cannot be reached." : why);
+    });
+    program.scenes.listen(({ name, mode, program: version, interface: device }) => {
+      setText(box("scene-name"), name);
+      setText(box("version"), version);
+      document.title = `${name} · tegotae`;
+      setText(box("interface"), mode === "replay" ? "a recording" : device === "page" ? "" : `interface: ${device}`);
+    });
+    program.states.listen(({ viewers, hand, motion }) => {
+      setText(box("viewers"), viewers === 1 ? "1 viewer" : `${viewers} viewers`);
+      setText(box("hand"), this.handText(hand, motion));
+    });
+  }
+
+  private handText(hand: number | null, motion: string | null): string {
+    if (this.program.scene?.mode === "replay") return "";
+    if (motion !== null) return `“${motion}” plays`;
+    if (hand === null) return "nobody holds the tool";
+    return hand === this.program.viewer ? "you hold the tool" : `viewer ${hand} holds the tool`;
+  }
+}
