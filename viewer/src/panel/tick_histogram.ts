@@ -6,6 +6,13 @@ import { axisLook, font, ink, sizeInside } from "./plot_look";
 
 const floorCount = 0.5; // on the axis of counts, which is logarithmic too and has no place for 0
 
+const decades: uPlot.Axis = {
+  ...axisLook,
+  filter: onlyDecades,
+  grid: { ...axisLook.grid, filter: onlyDecades },
+  ticks: { ...axisLook.ticks, filter: onlyDecades },
+};
+
 /** How long the ticks took, with both axes logarithmic so that the few slow ones show. */
 export class TickHistogram {
   private readonly plot: uPlot;
@@ -23,8 +30,8 @@ export class TickHistogram {
         padding: [6, 12, 0, 0],
         scales: { x: { time: false, distr: 3 }, y: { distr: 3, range: (_plot, _low, high) => [floorCount, 2 * high] } },
         axes: [
-          { ...axisLook, size: 24, filter: onlyDecades, values: (_plot, ticks) => ticks.map(inTime) },
-          { ...axisLook, size: 46, filter: onlyDecades, values: (_plot, ticks) => ticks.map(inThousands) },
+          { ...decades, size: 24, values: (_plot, ticks) => ticks.map(inTime) },
+          { ...decades, size: 46, values: (_plot, ticks) => ticks.map(inThousands) },
         ],
         series: [
           {},
