@@ -46,6 +46,14 @@ void AdachiMethod::render(const RenderInput& input, RenderOutput& output) noexce
   output.bodies.add(plane, input.X_WT * p_TCm_, -wrench.force);
 }
 
+void AdachiMethod::view(const RenderInput& input, const RenderOutput& output, ContactView& view) const noexcept {
+  const auto force_of = [&](const PointOnPlane& contact) {
+    const bool is_chosen = contact.plane == plane_ && contact.point == point_;
+    return is_chosen && output.active_count > 0 ? output.wrench.force.norm() : 0.0;
+  };
+  view_contact_points(input.model, input.X_WT, force_of, view);
+}
+
 void AdachiMethod::choose(const IntermediateRepresentation& model, const Pose& X_WT) noexcept {
   sequence_ = model.sequence;
   plane_ = point_ = -1;

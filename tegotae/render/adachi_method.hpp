@@ -37,7 +37,14 @@ class AdachiMethod {
   /// Forgets the point, the plane and the damper's past.
   void reset() noexcept;
 
-  void set_coupling(const Coupling& coupling) noexcept { coupling_ = coupling; }
+  /// Takes the settings of `other`, and goes on as it is.
+  void adopt(const AdachiMethod& other) noexcept { coupling_ = other.coupling_; }
+
+  /// Starts anew: it knows no pose but the interface's.
+  void start_at(const Pose& /*X_WP*/, const Pose& /*X_WT*/) noexcept { reset(); }
+
+  /// What the last `render`, of `input`, worked with.
+  void view(const RenderInput& input, const RenderOutput& output, ContactView& view) const noexcept;
 
  private:
   void choose(const IntermediateRepresentation& model, const Pose& X_WT) noexcept;

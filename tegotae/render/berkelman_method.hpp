@@ -38,7 +38,14 @@ class BerkelmanMethod {
   /// Forgets the past: the dampers start from rest.
   void reset() noexcept { X_WT_before_.reset(); }
 
-  void set_coupling(const Coupling& coupling) noexcept { coupling_ = coupling; }
+  /// Takes the settings of `other`, and goes on as it is.
+  void adopt(const BerkelmanMethod& other) noexcept { coupling_ = other.coupling_; }
+
+  /// Starts anew: it knows no pose but the interface's.
+  void start_at(const Pose& /*X_WP*/, const Pose& /*X_WT*/) noexcept { reset(); }
+
+  /// What the last `render`, of `input`, worked with.
+  void view(const RenderInput& input, const RenderOutput& output, ContactView& view) const noexcept;
 
  private:
   Coupling coupling_;

@@ -34,6 +34,9 @@ class Bristle {
  public:
   bool is_loaded() const noexcept { return normal_force_ > 0.0; }
   double normal_force() const noexcept { return normal_force_; }
+  bool is_slipping() const noexcept { return slipping_; }
+  /// Of the tool against the object, m, world axes.
+  Vector3 stretch(const Pose& X_WB) const noexcept { return X_WB.q * stretch_B_; }
   Vector3 centre(const Pose& X_WT) const noexcept { return X_WT * centre_T_; }
 
   /// The bristle as rows about `p_WCm` for the tool at `X_WT`, contact normal `n_W`.

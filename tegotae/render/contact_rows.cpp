@@ -66,6 +66,20 @@ double ContactRows::greatest_violation(const ConstraintProblem<6>& problem,
   return greatest;
 }
 
+// Rows stand in the order in which the points are visited.
+void ContactRows::view(const IntermediateRepresentation& model, const Pose& X_WT, const ConstraintSolution<6>& solution,
+                       ContactView& view) const noexcept {
+  int row = 0;
+  const auto force_of = [&](const PointOnPlane& contact) {
+    if (row == count_) return 0.0;
+    const auto at = static_cast<std::size_t>(row);
+    if (sources_[at].plane != contact.plane || sources_[at].point != contact.point) return 0.0;
+    ++row;
+    return solution.multipliers[at];
+  };
+  view_contact_points(model, X_WT, force_of, view);
+}
+
 void ContactRows::push_bodies(const IntermediateRepresentation& model, const Pose& X_WT,
                               const ConstraintSolution<6>& solution, BodyWrenches& bodies) const noexcept {
   for (const int row : solution.active_rows) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tegotae/render/constraint_solver.hpp>
+#include <tegotae/render/contact_view.hpp>
 #include <tegotae/render/coupling.hpp>
 #include <tegotae/render/render_types.hpp>
 
@@ -52,6 +53,19 @@ Vector6 normal_row(const PointOnPlane& contact, const Vector3& centre_W) noexcep
 /// Compliance (m/N) of a row: `kRowCompliance` of the coupling's own at this point, (1 + (r x n)^2 / l^2) / k.
 double row_compliance(const Coupling& coupling, const Vector6& J) noexcept;
 
+/// Adds the model's planes to the view, and every contact point of the tool at `X_WT` with the force (N) that
+/// `force_of(const PointOnPlane&)` says.
+template <class ForceOf>
+void view_contact_points(const IntermediateRepresentation& model, const Pose& X_WT, const ForceOf& force_of,
+                         ContactView& view) noexcept {
+  for (const ContactPlane& plane : model.used_planes()) {
+    view.add(ViewedPlane{plane.p_W, plane.n_W, plane.distance, plane.tool_piece, plane.body, plane.body_piece});
+  }
+  visit_contact_points(model, X_WT, [&](const PointOnPlane& contact) {
+    view.add(ViewedPoint{contact.p_WC, -contact.depth, force_of(contact)});
+  });
+}
+
 RenderStatus status_of(ConstraintStatus status) noexcept;
 
 /// The rows of a problem that stand for contact points, and what they push.
@@ -70,6 +84,10 @@ class ContactRows {
   /// `X_WT`.
   void push_bodies(const IntermediateRepresentation& model, const Pose& X_WT, const ConstraintSolution<6>& solution,
                    BodyWrenches& bodies) const noexcept;
+
+  /// Adds the model's planes and points to the view, the tool at `X_WT`, with what each row pushes.
+  void view(const IntermediateRepresentation& model, const Pose& X_WT, const ConstraintSolution<6>& solution,
+            ContactView& view) const noexcept;
 
  private:
   struct Source {

@@ -117,6 +117,13 @@ void ContactTracker::follow_objects(const Pose& X_WP) noexcept {
 }
 
 // A far pair becomes a contact.
+void ContactTracker::adopt_friction(const ContactTracker& other) noexcept {
+  friction_ = other.friction_;
+  for (NearContact& contact : contacts()) {
+    contact.friction = friction_law(scene_friction(tool_shape(contact), body_shape(contact)), friction_);
+  }
+}
+
 int ContactTracker::enter(int pair) noexcept {
   const TrackedPair& tracked = pairs_[pair];
   NearContact& contact = contacts_[static_cast<size_t>(count_)];

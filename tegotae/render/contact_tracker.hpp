@@ -52,8 +52,12 @@ class ContactTracker {
 
   void reset() noexcept;
 
+  /// Rubs from now on as `other` does, the pairs that touch already too.
+  void adopt_friction(const ContactTracker& other) noexcept;
+
   /// The pairs that were within reach of late.
   std::span<NearContact> contacts() noexcept { return {contacts_.data(), static_cast<size_t>(count_)}; }
+  std::span<const NearContact> contacts() const noexcept { return {contacts_.data(), static_cast<size_t>(count_)}; }
   double tool_radius() const noexcept { return tool_radius_; }        ///< from the centre of mass, m
   double bodies_way() const noexcept { return pairs_.bodies_way(); }  ///< m, of any near body's point, this tick
   int skipped() const noexcept { return skipped_; }    ///< pairs without a measurement and points left out, this tick

@@ -17,6 +17,17 @@ void OrtegaMethod::reset() noexcept {
   workspace_.reset();
 }
 
+void OrtegaMethod::start_at(const Pose& X_WP, const Pose& X_WT) noexcept {
+  reset();
+  placed_ = true;
+  X_WP_ = X_WP;
+  stretch_before_ = displacement(X_WT, X_WP, p_TCm_);
+}
+
+void OrtegaMethod::view(const RenderInput& input, const RenderOutput& output, ContactView& view) const noexcept {
+  rows_.view(input.model, output.X_WP, solution_, view);
+}
+
 void OrtegaMethod::render(const RenderInput& input, RenderOutput& output) noexcept {
   if (!begin_render(input, output)) return;
   output.deepest = deepest_penetration(input.model, input.X_WT);

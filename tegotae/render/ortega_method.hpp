@@ -49,7 +49,14 @@ class OrtegaMethod {
   /// Forgets the god-object: it starts where the hand holds the tool.
   void reset() noexcept;
 
-  void set_coupling(const Coupling& coupling) noexcept { coupling_ = coupling; }
+  /// Takes the settings of `other`, and goes on as it is.
+  void adopt(const OrtegaMethod& other) noexcept { coupling_ = other.coupling_; }
+
+  /// Starts with the tool where the hand holds it, `X_WT`, and where the world let it be, `X_WP`.
+  void start_at(const Pose& X_WP, const Pose& X_WT) noexcept;
+
+  /// What the last `render`, of `input`, worked with.
+  void view(const RenderInput& input, const RenderOutput& output, ContactView& view) const noexcept;
 
  private:
   void add_contacts(const RenderInput& input, const Vector3& centre_W) noexcept;

@@ -26,6 +26,18 @@ void OtaduyLinMethod::reset() noexcept {
   workspace_.reset();
 }
 
+void OtaduyLinMethod::start_at(const Pose& X_WP, const Pose& X_WT) noexcept {
+  reset();
+  placed_ = true;
+  X_WP_ = X_WP;
+  momentum_.setZero();
+  stretch_before_ = displacement(X_WT, X_WP, p_TCm_);
+}
+
+void OtaduyLinMethod::view(const RenderInput& input, const RenderOutput& output, ContactView& view) const noexcept {
+  rows_.view(input.model, output.X_WP, solution_, view);
+}
+
 void OtaduyLinMethod::render(const RenderInput& input, RenderOutput& output) noexcept {
   if (!begin_render(input, output)) return;
   output.deepest = deepest_penetration(input.model, input.X_WT);

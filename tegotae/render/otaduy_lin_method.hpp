@@ -52,7 +52,14 @@ class OtaduyLinMethod {
   /// Forgets the tool: it starts where the hand holds it, at rest.
   void reset() noexcept;
 
-  void set_coupling(const Coupling& coupling) noexcept { parameters_.coupling = coupling; }
+  /// Takes the settings of `other`, and goes on as it is.
+  void adopt(const OtaduyLinMethod& other) noexcept { parameters_.coupling = other.parameters_.coupling; }
+
+  /// Starts with the tool where the hand holds it, `X_WT`, and where the world let it be, `X_WP`, at rest.
+  void start_at(const Pose& X_WP, const Pose& X_WT) noexcept;
+
+  /// What the last `render`, of `input`, worked with.
+  void view(const RenderInput& input, const RenderOutput& output, ContactView& view) const noexcept;
 
  private:
   void pose_step(const RenderInput& input, const Matrix6& M, const Vector6& stretch) noexcept;

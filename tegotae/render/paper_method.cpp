@@ -43,6 +43,10 @@ void PaperMethod::render(const RenderInput& input, RenderOutput& output) noexcep
   displacement_before_ = displacement;
 }
 
+void PaperMethod::view(const RenderInput& input, const RenderOutput& /*output*/, ContactView& view) const noexcept {
+  rows_.view(input.model, input.X_WT, solution_, view);
+}
+
 // Equation (1), one row a contact point: J = [n, r x n], b = -d.n, positive while it penetrates.
 void PaperMethod::add_constraints(const RenderInput& input, const Vector3& p_WCm, RenderOutput& output) noexcept {
   const Coupling& coupling = parameters_.coupling;

@@ -36,7 +36,14 @@ class PaperMethod {
   /// Forgets the past: the damper starts from rest.
   void reset() noexcept;
 
-  void set_coupling(const Coupling& coupling) noexcept { parameters_.coupling = coupling; }
+  /// Takes the settings of `other`, and goes on as it is.
+  void adopt(const PaperMethod& other) noexcept { parameters_ = other.parameters_; }
+
+  /// Starts anew: it knows no pose but the interface's.
+  void start_at(const Pose& /*X_WP*/, const Pose& /*X_WT*/) noexcept { reset(); }
+
+  /// What the last `render`, of `input`, worked with.
+  void view(const RenderInput& input, const RenderOutput& output, ContactView& view) const noexcept;
 
  private:
   void add_constraints(const RenderInput& input, const Vector3& p_WCm, RenderOutput& output) noexcept;

@@ -40,9 +40,24 @@ void ProxyMethod::reset() noexcept {
   transient_.reset();
 }
 
-void ProxyMethod::set_coupling(const Coupling& coupling) noexcept {
-  parameters_.coupling = coupling;
-  skin_ = skin_of(coupling);
+void ProxyMethod::adopt(const ProxyMethod& other) noexcept {
+  parameters_ = other.parameters_;
+  skin_ = other.skin_;
+  tracker_.adopt_friction(other.tracker_);
+  transient_ = other.transient_;
+}
+
+void ProxyMethod::start_at(const Pose& X_WP, const Pose& X_WT) noexcept {
+  reset();
+  start(X_WP, X_WT);
+}
+
+void ProxyMethod::start(const Pose& X_WP, const Pose& X_WT) noexcept {
+  X_WP_ = X_WP;
+  X_WT_before_ = X_WT;
+  moved_before_.setZero();
+  displacement_before_ = displacement(X_WT, X_WP, mass_.centre_of_mass);
+  started_ = true;
 }
 
 void ProxyMethod::render(const RenderInput& input, RenderOutput& output) noexcept {
@@ -70,12 +85,7 @@ bool ProxyMethod::admit(const RenderInput& input, RenderOutput& output) noexcept
   output.status = input.model.sequence == 0 ? RenderStatus::kNoModel : RenderStatus::kOk;
   if (!input.X_WT.is_finite()) output.status = RenderStatus::kInvalidInput;
   if (output.status != RenderStatus::kOk) return false;
-  if (!started_) {
-    X_WP_ = X_WT_before_ = input.X_WT;
-    moved_before_.setZero();
-    displacement_before_.setZero();
-  }
-  started_ = true;
+  if (!started_) start(input.X_WT, input.X_WT);
   return true;
 }
 

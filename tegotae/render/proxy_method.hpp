@@ -4,6 +4,7 @@
 #include <tegotae/render/constraint_solver.hpp>
 #include <tegotae/render/contact_tracker.hpp>
 #include <tegotae/render/contact_transient.hpp>
+#include <tegotae/render/contact_view.hpp>
 #include <tegotae/render/coupling.hpp>
 #include <tegotae/render/render_types.hpp>
 
@@ -57,7 +58,15 @@ class ProxyMethod {
   /// Forgets the past: the proxy starts at the interface's pose.
   void reset() noexcept;
 
-  void set_coupling(const Coupling& coupling) noexcept;
+  /// Takes the settings of `other`, and goes on as it is: what is touched stays touched.
+  void adopt(const ProxyMethod& other) noexcept;
+
+  /// Starts with the tool where the hand holds it, `X_WT`, and the proxy at `X_WP`.
+  void start_at(const Pose& X_WP, const Pose& X_WT) noexcept;
+
+  /// What the last `render` worked with: the planes of the pairs that it measured, the points of its last linearisation
+  /// and the bristles that hold.
+  void view(const RenderInput& input, const RenderOutput& output, ContactView& view) const noexcept;
 
  private:
   struct RowSource {
@@ -66,6 +75,7 @@ class ProxyMethod {
     double gap;
   };
 
+  void start(const Pose& X_WP, const Pose& X_WT) noexcept;
   bool admit(const RenderInput& input, RenderOutput& output) noexcept;
   bool linearise(const RenderInput& input, double& margin, RenderOutput& output) noexcept;
   void set_objective(const RenderInput& input) noexcept;

@@ -72,6 +72,36 @@ void render(std::variant<Methods...>& method, const RenderInput& input, RenderOu
   (render_with(std::get_if<Methods>(&method)) || ...);
 }
 
+/// What the last `render`, of `input`, worked with, into `view`, which is cleared first.
+template <class... Methods>
+void view_contacts(const std::variant<Methods...>& method, const RenderInput& input, const RenderOutput& output,
+                   ContactView& view) noexcept {
+  view.clear();
+  const auto view_with = [&](const auto* chosen) {
+    if (chosen != nullptr) chosen->view(input, output, view);
+    return chosen != nullptr;
+  };
+  (view_with(std::get_if<Methods>(&method)) || ...);
+}
+
+/// Changes from one method, or its settings, to another while the hand holds the tool: `current` takes the settings of
+/// `next` where both are of one kind (then true). Otherwise `next` starts where `current` has brought the tool and is
+/// to be used from now on.
+template <class... Methods>
+bool adopt_or_start(std::variant<Methods...>& current, std::variant<Methods...>& next, const Pose& X_WP,
+                    const Pose& X_WT) noexcept {
+  const auto change = [&](auto* chosen, auto* present) {
+    if (chosen == nullptr) return false;
+    if (present == nullptr) {
+      chosen->start_at(X_WP, X_WT);
+      return false;
+    }
+    present->adopt(*chosen);
+    return true;
+  };
+  return (change(std::get_if<Methods>(&next), std::get_if<Methods>(&current)) || ...);
+}
+
 /// Whether a method renders each model as it was received until the next one comes, as its source does: it declares
 /// `kHoldsModel`. The others are given models interpolated to now.
 template <class Method>
