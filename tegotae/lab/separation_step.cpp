@@ -101,7 +101,8 @@ class Builder {
     const PlanePair& pair = pairs_[j];
     const auto count = std::count(sides_[j].above.begin(), sides_[j].above.end(), char{1});
     const int c = column(j);
-    InequalityGroup rows{Eigen::MatrixXd(count, 10), Eigen::VectorXd(count), {0, 1, 2, 3, 4, 5, c, c + 1, c + 2, c + 3}};
+    InequalityGroup rows{
+        Eigen::MatrixXd(count, 10), Eigen::VectorXd(count), {0, 1, 2, 3, 4, 5, c, c + 1, c + 2, c + 3}};
     Eigen::Index r = 0;
     for (size_t i = 0; i < sides_[j].above.size(); ++i) {
       if (!sides_[j].above[i]) continue;
@@ -133,7 +134,8 @@ class Builder {
   }
 
   InequalityGroup trust_rows() const {
-    InequalityGroup rows{Eigen::MatrixXd(12, 6), Eigen::VectorXd::Constant(12, -0.5 * in_.trust / kUnit), {0, 1, 2, 3, 4, 5}};
+    InequalityGroup rows{
+        Eigen::MatrixXd(12, 6), Eigen::VectorXd::Constant(12, -0.5 * in_.trust / kUnit), {0, 1, 2, 3, 4, 5}};
     rows.A << Eigen::MatrixXd::Identity(6, 6), -Eigen::MatrixXd::Identity(6, 6);
     return rows;
   }

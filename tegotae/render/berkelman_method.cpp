@@ -37,9 +37,7 @@ void BerkelmanMethod::render(const RenderInput& input, RenderOutput& output) noe
 
 // The damper's part is left out: it needs the tick before.
 void BerkelmanMethod::view(const RenderInput& input, const RenderOutput& /*output*/, ContactView& view) const noexcept {
-  const auto force_of = [&](const PointOnPlane& contact) {
-    return std::max(0.0, coupling_.stiffness * contact.depth);
-  };
+  const auto force_of = [&](const PointOnPlane& contact) { return std::max(0.0, coupling_.stiffness * contact.depth); };
   view_contact_points(input.model, input.X_WT, force_of, view);
 }
 

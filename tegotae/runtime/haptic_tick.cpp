@@ -8,7 +8,7 @@
 namespace tegotae {
 
 HapticTick::HapticTick(RenderingMethod method, const Tool& tool, const SafetyLimits& limits, double period)
-    : method_(std::move(method)),
+    : method_(std::make_unique<RenderingMethod>(std::move(method))),
       p_TCm_(tool.mass.centre_of_mass),
       limits_(limits),
       length_(tool.mass.gyration_length()),
@@ -23,8 +23,9 @@ InterfaceCommand HapticTick::operator()(const InterfaceState& state, const Inter
   dt_ = elapsed_until(state.time);
   state_ = held(state, circumstances.interface_lost);
   const IntermediateRepresentation& model = model_at(state_.time, fresh);
+  model_ = &model;
 
-  render(method_, {model, state_.X_WT, dt_}, rendered_);
+  render(*method_, {model, state_.X_WT, dt_}, rendered_);
   if (!pose_valid_) {
     rendered_.wrench = {};
     rendered_.status = RenderStatus::kInvalidInput;
@@ -74,7 +75,7 @@ const IntermediateRepresentation& HapticTick::model_at(double time, const Interm
     interpolator_.accept(*fresh);
     model_arrival_ = time;
   }
-  const double period = holds_model(method_) ? 0.0 : interpolator_.newest_period();
+  const double period = holds_model(*method_) ? 0.0 : interpolator_.newest_period();
   return interpolator_.at(period > 0.0 ? (time - model_arrival_) / period : 1.0);
 }
 
@@ -114,6 +115,18 @@ void HapticTick::write(const IntermediateRepresentation& model, const Wrench& di
   record.solver_iterations = rendered_.solver_iterations;
   record.dropped = model.dropped_planes + model.dropped_points + model.dropped_pairs + rendered_.skipped_pairs;
   record.status = static_cast<std::uint8_t>(rendered_.status);
+}
+
+void HapticTick::adopt(HapticUpdate& update) noexcept {
+  limits_ = update.limits;
+  if (!adopt_or_start(*method_, *update.method, rendered_.X_WP, state_.X_WT)) std::swap(method_, update.method);
+}
+
+void HapticTick::view(ContactView& view) const noexcept {
+  view.clear();
+  if (model_ == nullptr) return;
+  view_contacts(*method_, {*model_, state_.X_WT, dt_}, rendered_, view);
+  view.time = state_.time;
 }
 
 void HapticTick::fill(ImpulseSums& message, int body_count) const noexcept {

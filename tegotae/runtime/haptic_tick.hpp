@@ -8,7 +8,15 @@
 #include <tegotae/runtime/safety.hpp>
 #include <tegotae/runtime/tick_record.hpp>
 
+#include <memory>
+
 namespace tegotae {
+
+/// Another method, or other settings of it, for a tick that runs.
+struct HapticUpdate {
+  std::unique_ptr<RenderingMethod> method;  ///< not null
+  SafetyLimits limits;
+};
 
 /// One tick of the haptic rate: from the interface's state and the newest model to a command and a log record. Reading
 /// and commanding the interface lies outside. No allocation, lock, system call or exception after construction; the
@@ -31,6 +39,13 @@ class HapticTick {
   /// The message to the physics loop: pose, twist, and the impulses displayed to the bodies until now.
   void fill(ImpulseSums& message, int body_count) const noexcept;
 
+  /// Renders by `update` from now on, the tool staying where it is; what is no longer used is left in `update`, to be
+  /// freed by whoever may. Does not allocate.
+  void adopt(HapticUpdate& update) noexcept;
+
+  /// What the last tick worked with.
+  void view(ContactView& view) const noexcept;
+
   const SafetyState& safety() const noexcept { return safety_; }
 
  private:
@@ -42,14 +57,15 @@ class HapticTick {
   void push_bodies(const Wrench& displayed, const Vector3& p_WCm) noexcept;
   void write(const IntermediateRepresentation& model, const Wrench& displayed, TickRecord& record) const noexcept;
 
-  RenderingMethod method_;
+  std::unique_ptr<RenderingMethod> method_;
   Vector3 p_TCm_;
   SafetyLimits limits_;
   double length_;  ///< gyration length of the tool, m
   double period_;
 
   RepresentationInterpolator interpolator_;
-  double model_arrival_ = 0.0;  ///< s, when the newest model was first seen
+  double model_arrival_ = 0.0;                         ///< s, when the newest model was first seen
+  const IntermediateRepresentation* model_ = nullptr;  ///< of the last tick
   RenderOutput rendered_;
   SafetyState safety_;
   ImpulseAccumulator impulses_;

@@ -60,12 +60,18 @@ PhysicsLoop::PhysicsLoop(World& world, const Settings& settings, const ModelNeed
       builder_(world.geometry()),
       bodies_(static_cast<size_t>(world.geometry().moving_count)),
       impulses_(bodies_.size()) {
-  require_positive("physics period (s)", settings.period);
-  require_positive("margin (m)", settings.margin);
+  change(settings, needs);
   if (world.geometry().moving_count > kMaxMovingBodies) {
     throw std::invalid_argument("the world moves " + std::to_string(world.geometry().moving_count) +
                                 " bodies; at most " + std::to_string(kMaxMovingBodies) + " can be pushed");
   }
+}
+
+void PhysicsLoop::change(const Settings& settings, const ModelNeeds& needs) {
+  require_positive("physics period (s)", settings.period);
+  require_positive("margin (m)", settings.margin);
+  settings_ = settings;
+  needs_ = needs;
 }
 
 // A model appears one period after the state that it was made from and is interpolated towards for another, and then

@@ -6,6 +6,7 @@
 #include <tegotae/runtime/impulse_sums.hpp>
 #include <tegotae/runtime/world.hpp>
 
+#include <span>
 #include <vector>
 
 namespace tegotae {
@@ -30,6 +31,12 @@ class PhysicsLoop {
   /// One period: `build` at `time`, then gives the bodies what the haptic loop displayed to them since the last step,
   /// and integrates. `haptics` is the newest message of the haptic loop.
   void step(double time, const ImpulseSums& haptics, IntermediateRepresentation& model);
+
+  /// Other settings and needs from the next step on. Throws as the constructor does, and then nothing changes.
+  void change(const Settings& settings, const ModelNeeds& needs);
+
+  /// The moving bodies as the last `build` or `step` read them.
+  std::span<const BodyState> bodies() const noexcept { return bodies_; }
 
   const Settings& settings() const noexcept { return settings_; }
   int body_count() const noexcept { return static_cast<int>(bodies_.size()); }  ///< moving bodies

@@ -19,35 +19,77 @@ constexpr std::chrono::milliseconds kObserverPause{5};
 
 // All that the threads of one run share.
 struct Run {
-  Run(PhysicsLoop& the_physics, HapticTick& the_haptics, HapticInterface& the_interface)
-      : physics(the_physics), haptics(the_haptics), interface(the_interface) {}
+  Run(PhysicsLoop& the_physics, HapticTick& the_haptics, HapticInterface& the_interface, LiveLink* the_link)
+      : physics(the_physics), haptics(the_haptics), interface(the_interface), live(the_link) {}
 
-  double now() const noexcept { return seconds_between(start, monotonic_nanoseconds()); }
+  // s since the run began, but for the time that it stood still.
+  double now() const noexcept {
+    return seconds_between(start + stood_still.load(std::memory_order_relaxed), monotonic_nanoseconds());
+  }
+  bool is_paused() const noexcept { return live != nullptr && live->paused.load(std::memory_order_relaxed); }
 
   PhysicsLoop& physics;
   HapticTick& haptics;
   HapticInterface& interface;
+  LiveLink* live;  ///< null: nobody steers
   std::int64_t start = 0;
+  std::atomic<std::int64_t> stood_still{0};  ///< ns, the haptic thread's
   LatestValue<IntermediateRepresentation> models;
   LatestValue<ImpulseSums> messages;
   SpscRing<TickRecord> records{kRingCapacity};
   std::atomic<bool> ending{false};
   std::atomic<bool> haptics_done{false};
+  std::atomic<bool> physics_failed{false};
   InterfaceStatus written = InterfaceStatus::kOk;  ///< the haptic thread's: how the last command fared
   RealtimeReport report;
 };
 
+// One of those that somebody granted to a paused run.
+bool take_granted(std::atomic<int>& granted) noexcept {
+  if (granted.load(std::memory_order_relaxed) <= 0) return false;
+  granted.fetch_sub(1, std::memory_order_relaxed);
+  return true;
+}
+
+void show_bodies(Run& run, double began, double duration) noexcept {
+  MovingBodies& shown = run.live->bodies.begin_write();
+  const auto bodies = run.physics.bodies();
+  shown.time = began;
+  shown.period = run.physics.settings().period;
+  shown.step_duration = duration;
+  shown.steps = run.report.physics.count();
+  shown.count = static_cast<std::int32_t>(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) shown.poses[i] = bodies[i].X_WB;
+  run.live->bodies.publish();
+}
+
+void physics_step(Run& run, std::uint64_t missed) {
+  run.messages.update();
+  const ImpulseSums& message = run.messages.get();
+  const double began = run.now();
+  run.physics.step(began, message, run.models.begin_write());
+  run.models.publish();
+  const double duration = run.now() - began;
+  run.report.physics.add(duration, began - message.time, missed);
+  if (run.live != nullptr) show_bodies(run, began, duration);
+}
+
+PeriodicTimer timer_of(const PhysicsLoop& physics) {
+  return PeriodicTimer(PeriodicTimer::period_of(1.0 / physics.settings().period));
+}
+
 void physics_thread(Run& run) {
   run.report.physics_rights = request_realtime(kPhysicsPriority);
-  PeriodicTimer timer(PeriodicTimer::period_of(1.0 / run.physics.settings().period));
+  PeriodicTimer timer = timer_of(run.physics);
   while (!run.ending.load(std::memory_order_acquire)) {
     const auto missed = static_cast<std::uint64_t>(timer.wait());
-    run.messages.update();
-    const ImpulseSums& message = run.messages.get();
-    const double began = run.now();
-    run.physics.step(began, message, run.models.begin_write());
-    run.models.publish();
-    run.report.physics.add(run.now() - began, began - message.time, missed);
+    if (run.live != nullptr && run.live->physics_updates.update()) {
+      const PhysicsUpdate& update = run.live->physics_updates.get();
+      run.physics.change(update.settings, update.needs);
+      timer = timer_of(run.physics);
+    }
+    if (run.is_paused() && !take_granted(run.live->steps_granted)) continue;
+    physics_step(run, missed);
   }
 }
 
@@ -56,12 +98,12 @@ void guarded_physics_thread(Run& run) noexcept {
     physics_thread(run);
   } catch (const std::exception& error) {
     run.report.physics_error = error.what();
+    run.physics_failed.store(true, std::memory_order_release);
   }
 }
 
 // One period of the haptic thread: the interface is read and commanded here, outside the tick.
-void haptic_period(Run& run, PeriodicTimer& timer, bool ending) noexcept {
-  const auto missed = static_cast<std::uint64_t>(timer.wait());
+void haptic_period(Run& run, const PeriodicTimer& timer, std::uint64_t missed, bool ending) noexcept {
   run.report.wake_up.add(seconds_between(timer.due(), timer.woken_at()));
   const double began = run.now();
 
@@ -82,11 +124,60 @@ void haptic_period(Run& run, PeriodicTimer& timer, bool ending) noexcept {
   run.records.push(record);
 }
 
+// What steers a run and what shows it, about one haptic period.
+class LivePeriods {
+ public:
+  explicit LivePeriods(Run& run) noexcept : run_(run), link_(*run.live), before_(monotonic_nanoseconds()) {}
+
+  // False where time stands still: then this period has none.
+  bool begin() noexcept {
+    const std::int64_t now = monotonic_nanoseconds();
+    const std::int64_t since = now - before_;
+    before_ = now;
+    if (run_.is_paused() && !take_granted(link_.ticks_granted)) {
+      run_.stood_still.store(run_.stood_still.load(std::memory_order_relaxed) + since, std::memory_order_relaxed);
+      return false;
+    }
+    if (auto* update = link_.haptic_updates.take()) {
+      run_.haptics.adopt(update->content);
+      link_.haptic_updates.give_back(update);
+    }
+    return true;
+  }
+
+  void end() noexcept {
+    const double now = run_.now();
+    if (now < next_view_) return;
+    next_view_ = now + link_.view_period;
+    run_.haptics.view(link_.contacts.begin_write());
+    link_.contacts.publish();
+  }
+
+ private:
+  Run& run_;
+  LiveLink& link_;
+  std::int64_t before_;      // ns, beginning of the period before
+  double next_view_ = -1.0;  // s
+};
+
+void live_haptic_periods(Run& run, PeriodicTimer& timer) noexcept {
+  LivePeriods periods(run);
+  while (!run.ending.load(std::memory_order_acquire)) {
+    const auto missed = static_cast<std::uint64_t>(timer.wait());
+    const bool goes_on = periods.begin();
+    if (goes_on || !run.live->interface_waits) haptic_period(run, timer, missed, !goes_on);
+    periods.end();
+  }
+}
+
 void haptic_thread(Run& run, double period) {
   run.report.haptic_rights = request_realtime(kHapticPriority);
   PeriodicTimer timer(PeriodicTimer::period_of(1.0 / period));
-  while (!run.ending.load(std::memory_order_acquire)) haptic_period(run, timer, false);
-  haptic_period(run, timer, true);  // the last command: zero
+  if (run.live != nullptr) live_haptic_periods(run, timer);
+  while (!run.ending.load(std::memory_order_acquire)) {
+    haptic_period(run, timer, static_cast<std::uint64_t>(timer.wait()), false);
+  }
+  haptic_period(run, timer, static_cast<std::uint64_t>(timer.wait()), true);  // the last command: zero
   run.haptics_done.store(true, std::memory_order_release);
 }
 
@@ -97,7 +188,9 @@ void observe(Run& run, double duration, const std::atomic<bool>& stop, const Rea
     const bool last = run.haptics_done.load(std::memory_order_acquire);
     TickRecord record;
     while (run.records.pop(record)) wanted = wanted && observer(record);
+    if (run.live != nullptr && run.live->on_pass) run.live->on_pass();
     if (last) return;
+    if (run.live != nullptr && run.physics_failed.load(std::memory_order_acquire)) wanted = false;
     if (!wanted || stop.load(std::memory_order_relaxed) || run.now() >= duration) {
       run.ending.store(true, std::memory_order_release);
     }
@@ -141,8 +234,8 @@ void prime(Run& run) {
 
 RealtimeReport run_realtime(PhysicsLoop& physics, HapticTick& haptics, HapticInterface& interface,
                             double haptic_period_seconds, double duration, const std::atomic<bool>& stop,
-                            const RealtimeObserver& observer) {
-  const auto run = std::make_unique<Run>(physics, haptics, interface);
+                            const RealtimeObserver& observer, LiveLink* live) {
+  const auto run = std::make_unique<Run>(physics, haptics, interface, live);
   run->start = monotonic_nanoseconds();
   prime(*run);
   {

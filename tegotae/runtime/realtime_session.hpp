@@ -3,6 +3,7 @@
 
 #include <tegotae/runtime/haptic_interface.hpp>
 #include <tegotae/runtime/haptic_tick.hpp>
+#include <tegotae/runtime/live_link.hpp>
 #include <tegotae/runtime/physics_loop.hpp>
 #include <tegotae/runtime/realtime_thread.hpp>
 #include <tegotae/runtime/statistics.hpp>
@@ -30,8 +31,10 @@ using RealtimeObserver = std::function<bool(const TickRecord&)>;
 /// them), for `duration` (s), or until `stop` becomes true (from any thread or a signal handler) or the observer says
 /// so. Models and impulses cross by wait-free latest-value exchange; a model becomes visible as soon as it is made. The
 /// first one is made before the haptic thread starts. The last command to the interface is zero, whatever ended the
-/// run. Throws std::system_error if a thread cannot be started.
+/// run. With `live` the run can be watched and steered; a world that throws then ends it. Throws std::system_error if a
+/// thread cannot be started.
 RealtimeReport run_realtime(PhysicsLoop& physics, HapticTick& haptics, HapticInterface& interface, double haptic_period,
-                            double duration, const std::atomic<bool>& stop, const RealtimeObserver& observer);
+                            double duration, const std::atomic<bool>& stop, const RealtimeObserver& observer,
+                            LiveLink* live = nullptr);
 
 }  // namespace tegotae
