@@ -41,11 +41,25 @@ Vector3 rounded(const Vector3& value, double step) noexcept {
 
 SimulatedHandInterface::SimulatedHandInterface(Trajectory intended, const SimulatedDevice& device,
                                                const HandImpedance& hand, double substep)
+    : SimulatedHandInterface(std::make_unique<IntendedTrajectory>(std::move(intended)), device, hand, substep) {}
+
+SimulatedHandInterface::SimulatedHandInterface(std::unique_ptr<IntendedMotion> intended, const SimulatedDevice& device,
+                                               const HandImpedance& hand, double substep)
     : intended_(std::move(intended)),
+      X_WG_start_(intended_->start()),
+      X_WH_(X_WG_start_),
       device_(checked(device)),
       grip_(device.mechanics, hand, substep),
       waiting_(static_cast<std::size_t>(device.delay * kFastestWrite) + 2) {
-  grip_.set_state({intended_.samples().front().X_WT, {}});
+  grip_.set_state({X_WG_start_, {}});
+}
+
+void SimulatedHandInterface::restart(double time, const Pose& X_WG) noexcept {
+  grip_.set_state({X_WG, {}});
+  X_WH_ = X_WG;
+  time_ = time;
+  displayed_ = {};
+  first_ = count_ = reading_count_ = 0;
 }
 
 InterfaceStatus SimulatedHandInterface::read(double time, InterfaceState& state) noexcept {
@@ -79,9 +93,10 @@ void SimulatedHandInterface::advance_to(double time) noexcept {
     double end = std::min(time, time_ + kTargetSpan);
     if (count_ > 0) end = std::min(end, waiting_[first_].due);
     const double duration = end - time_;
-    const Pose X_WH_begin = intended_.at(intended_.start() + time_);
-    const Vector6 way = displacement(X_WH_begin, intended_.at(intended_.start() + end), Vector3::Zero());
-    grip_.integrate(duration, displayed_, X_WH_begin, {way.head<3>() / duration, way.tail<3>() / duration});
+    const Pose X_WH_end = intended_->at(end);
+    const Vector6 way = displacement(X_WH_, X_WH_end, Vector3::Zero());
+    grip_.integrate(duration, displayed_, X_WH_, {way.head<3>() / duration, way.tail<3>() / duration});
+    X_WH_ = X_WH_end;
     time_ = end;
     display_due();
   }
@@ -99,7 +114,7 @@ Pose SimulatedHandInterface::quantised(const Pose& X_WG) const noexcept {
   Pose result = X_WG;
   result.p = rounded(X_WG.p, device_.capability.encoder_step);
   if (device_.encoder_angle > 0.0) {
-    const Quaternion& q_start = intended_.samples().front().X_WT.q;
+    const Quaternion& q_start = X_WG_start_.q;
     const Vector3 turned = rotation_vector(X_WG.q * q_start.conjugate());
     result.q = (rotation_from_vector(rounded(turned, device_.encoder_angle)) * q_start).normalized();
   }

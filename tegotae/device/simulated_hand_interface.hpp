@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tegotae/device/intended_motion.hpp>
 #include <tegotae/device/simulated_grip.hpp>
-#include <tegotae/device/trajectory.hpp>
 #include <tegotae/runtime/haptic_interface.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace tegotae {
@@ -21,13 +22,13 @@ struct SimulatedDevice {
   double velocity_window = 0.01;  ///< s over which the reported velocity is a finite difference, at least one reading
 };
 
-/// Hand and interface in closed loop, simulated: the hand means to follow a trajectory, the interface resists and is
+/// Hand and interface in closed loop, simulated: the hand means to follow a motion, the interface resists and is
 /// driven by what is displayed. A command is held until the next one is displayed (zero-order hold), `delay` later than
 /// it was written, clipped to the capability.
 ///
 /// What `read` reports is what a device would: the pose at `time`, position and rotation vector (from the pose at the
-/// trajectory's start) rounded to the nearest encoder step, and the velocity as the difference of two such readings
-/// over the velocity window. The true state stands beside it. Runs in the loop's own time from 0, the trajectory's
+/// motion's start) rounded to the nearest encoder step, and the velocity as the difference of two such readings
+/// over the velocity window. The true state stands beside it. Runs in the loop's own time from 0, the motion's
 /// start, where the grip is at rest; without a wall clock, so it repeats bit for bit. Between two calls of `read` the
 /// hand's target moves linearly over spans of at most 1 ms. `read` and `write` do not allocate; `read` costs about
 /// 0.15 us a sub-step.
@@ -38,6 +39,9 @@ class SimulatedHandInterface : public HapticInterface {
   /// Throws std::invalid_argument where a value is out of range. Allocates.
   SimulatedHandInterface(Trajectory intended, const SimulatedDevice& device, const HandImpedance& hand,
                          double substep = kSubstep);
+  /// `intended` may not be null.
+  SimulatedHandInterface(std::unique_ptr<IntendedMotion> intended, const SimulatedDevice& device,
+                         const HandImpedance& hand, double substep = kSubstep);
 
   InterfaceCapability capability() const override { return device_.capability; }
 
@@ -50,8 +54,11 @@ class SimulatedHandInterface : public HapticInterface {
   const Wrench& displayed() const noexcept { return displayed_; }       ///< what the motors give now
   std::uint64_t dropped_commands() const noexcept { return dropped_; }  ///< written faster than 20 kHz
 
-  /// Puts the grip elsewhere, for tests that start away from the trajectory.
+  /// Puts the grip elsewhere, for tests that start away from the motion.
   void set_grip(const GripState& state) noexcept { grip_.set_state(state); }
+
+  /// Goes on at `time` (s) from another state of the grip, as if it had always been at rest there: no command waits.
+  void restart(double time, const Pose& X_WG) noexcept;
 
  private:
   struct Command {
@@ -69,7 +76,9 @@ class SimulatedHandInterface : public HapticInterface {
   Pose quantised(const Pose& X_WG) const noexcept;
   Twist velocity() const noexcept;
 
-  Trajectory intended_;
+  std::unique_ptr<IntendedMotion> intended_;
+  Pose X_WG_start_;
+  Pose X_WH_;  ///< where the hand means to be at `time_`
   SimulatedDevice device_;
   SimulatedGrip grip_;
   double time_ = 0.0;  ///< s

@@ -7,9 +7,9 @@
 
 namespace tegotae {
 
-/// Hands objects to a thread that may neither allocate nor free, and takes back what it has done with. One giver thread,
-/// one receiver thread. Each object comes in an envelope that travels there and back; of several given before one is
-/// taken the last counts.
+/// Hands objects to a thread that may neither allocate nor free, and takes back what it has done with. One giver
+/// thread, one receiver thread. Each object comes in an envelope that travels there and back; of several given before
+/// one is taken the last counts.
 template <class T>
 class Mailbox {
  public:
