@@ -15,7 +15,8 @@ namespace tegotae {
 /// motion. A hand neither leaps nor shakes, whatever is sent: a target is approached with a time constant of 20 ms and
 /// at no more than 1 m/s and 10 rad/s (speeds of a brisk hand).
 ///
-/// `guide`, `play` and `stop` are called from one thread, `at` from another; `intended` and `is_playing` from the first.
+/// `guide`, `play` and `stop` are called from one thread, `at` from another; `intended` and `is_playing` from the
+/// first.
 class GuidedMotion final : public IntendedMotion {
  public:
   explicit GuidedMotion(const Pose& start);
@@ -78,7 +79,7 @@ class GuidedMotion final : public IntendedMotion {
   // The hand's.
   Pose X_WH_;
   Pose target_;
-  double time_ = 0.0;  ///< s
+  double time_ = 0.0;        ///< s
   std::uint64_t taken_ = 0;  ///< number of the last order or script that came
   ScriptEnvelope* script_ = nullptr;
   double script_begin_ = 0.0;  ///< s

@@ -26,6 +26,7 @@ class LiveHand final : public HapticInterface {
   // For the thread that guides.
 
   GuidedMotion& guide() noexcept { return *guide_; }
+  const GuidedMotion& guide() const noexcept { return *guide_; }
   bool is_playing_exactly() const noexcept { return exactly_.load(std::memory_order_acquire); }
   /// Ends the exact motion at the next tick.
   void interrupt() noexcept { interrupted_.store(true, std::memory_order_release); }

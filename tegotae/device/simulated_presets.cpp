@@ -51,9 +51,23 @@ SimulatedDevice parallel() {
   return device;
 }
 
+// Of the strength of a desktop interface, ideal otherwise: what a person at a screen sees is the rendering's. Rated at
+// a quarter (rotation: half) of what a sampled spring may have with this damping and that of a moderate hand, 2 b / T.
+SimulatedDevice page() {
+  SimulatedDevice device;
+  device.capability.name = "page";
+  device.capability.max_force = 12.0;
+  device.capability.max_torque = 0.6;
+  device.capability.max_stiffness = 4000.0;
+  device.capability.max_rotational_stiffness = 100.0;
+  device.mechanics = {0.1, 5e-4, 3.0, 0.04, 0.0, 0.0};
+  return device;
+}
+
 const auto& devices() {
-  static const std::array<Preset<SimulatedDevice>, 3> presets{
+  static const std::array<Preset<SimulatedDevice>, 4> presets{
       {{"laboratory", "viscous damping alone, of a desktop interface's order", laboratory()},
+       {"page", "light and well damped, ideal otherwise; of a desktop interface's strength", page()},
        {"stylus", "data sheet of the Touch (3D Systems); what it leaves out is assumed", stylus()},
        {"parallel", "data sheet of the omega series (Force Dimension); what it leaves out is assumed", parallel()}}};
   return presets;

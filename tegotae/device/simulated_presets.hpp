@@ -16,7 +16,8 @@ struct Preset {
   Value value;
 };
 
-/// Devices: "laboratory" (viscous damping alone: for bounds that assume it), "stylus" (a desktop stylus arm) and
+/// Devices: "laboratory" (viscous damping alone: for bounds that assume it), "page" (light and well damped,
+/// without delay or encoder: for a hand at a screen), "stylus" (a desktop stylus arm) and
 /// "parallel" (a desktop parallel mechanism). Allocated once, valid for the program's life.
 std::span<const Preset<SimulatedDevice>> simulated_devices();
 

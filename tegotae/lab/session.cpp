@@ -6,19 +6,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tegotae {
 namespace {
-
-SafetyLimits limits_of(const SessionSettings& settings, const InterfaceCapability& interface, const Tool& tool) {
-  StrikeAllowance strike;
-  strike.grip_arm = tool.mass.centre_of_mass.norm();
-  SafetyLimits limits =
-      safety_limits(interface, settings.stiffness, settings.metric_length, 1.0 / settings.physics_rate, strike);
-  limits.period = 1.0 / settings.haptic_rate;
-  return limits;
-}
 
 const NumericSetting& setting_in_scene(const std::string& name, const std::filesystem::path& file) {
   std::string known;
@@ -51,9 +44,9 @@ Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const Se
                     "is its time in seconds?",
                     duration_, duration_ * settings_.haptic_rate, settings_.haptic_rate, tolerance::kMaxTicks));
   }
-  haptics_ =
-      std::make_unique<HapticTick>(settings_.make_method(world_->geometry()), tool(),
-                                   limits_of(settings_, interface_.capability(), tool()), 1.0 / settings_.haptic_rate);
+  haptics_ = std::make_unique<HapticTick>(settings_.make_method(world_->geometry()), tool(),
+                                          safety_limits_of(settings_, interface_.capability(), tool()),
+                                          1.0 / settings_.haptic_rate);
 }
 
 TickObserver Session::with_progress(const TickObserver& observer, const Progress& progress) const {
@@ -75,15 +68,7 @@ RealtimeReport Session::run_realtime(const TickObserver& observer, const Progres
                                with_progress(observer, progress));
 }
 
-std::string Session::trouble() const {
-  const WorldDiagnostics& found = world_->diagnostics();
-  if (found.is_healthy()) return {};
-  return fmt::format(
-      "the physics had trouble: {} contacts and {} constraint rows dropped, {} near singular inertias, "
-      "{} substeps diverged, {} given up, {} impulses ignored{}{}",
-      found.dropped_contacts, found.dropped_constraint_rows, found.singular_inertias, found.diverged,
-      found.engine_errors, found.ignored_impulses, found.last_message.empty() ? "" : "; it said: ", found.last_message);
-}
+std::string Session::trouble() const { return trouble_of(world_->diagnostics()); }
 
 std::vector<std::string> Session::notes() const {
   std::vector<std::string> lines = settings_.lines();
@@ -91,6 +76,31 @@ std::vector<std::string> Session::notes() const {
   lines.push_back(fmt::format("tool: {}", tool().name));
   lines.push_back(fmt::format("centre of mass in the tool's frame: {} {} {} m", p_TCm.x(), p_TCm.y(), p_TCm.z()));
   return lines;
+}
+
+SafetyLimits safety_limits_of(const SessionSettings& settings, const InterfaceCapability& interface, const Tool& tool) {
+  StrikeAllowance strike;
+  strike.grip_arm = tool.mass.centre_of_mass.norm();
+  SafetyLimits limits =
+      safety_limits(interface, settings.stiffness, settings.metric_length, 1.0 / settings.physics_rate, strike);
+  limits.period = 1.0 / settings.haptic_rate;
+  return limits;
+}
+
+SessionSettings held_to_rating(SessionSettings settings, const InterfaceCapability& interface) {
+  settings.stiffness = std::min(settings.stiffness, interface.max_stiffness);
+  const double longest = std::sqrt(interface.max_rotational_stiffness / settings.stiffness);
+  settings.metric_length = std::min(settings.metric_length, longest);
+  return settings;
+}
+
+std::string trouble_of(const WorldDiagnostics& found) {
+  if (found.is_healthy()) return {};
+  return fmt::format(
+      "the physics had trouble: {} contacts and {} constraint rows dropped, {} near singular inertias, "
+      "{} substeps diverged, {} given up, {} impulses ignored{}{}",
+      found.dropped_contacts, found.dropped_constraint_rows, found.singular_inertias, found.diverged,
+      found.engine_errors, found.ignored_impulses, found.last_message.empty() ? "" : "; it said: ", found.last_message);
 }
 
 SettingsRequest settings_of(const std::vector<HapticSettingInScene>& scene, const std::filesystem::path& file) {

@@ -53,6 +53,15 @@ class Session {
   std::unique_ptr<HapticTick> haptics_;
 };
 
+/// Limits of the safety stage for a session on an interface.
+SafetyLimits safety_limits_of(const SessionSettings& settings, const InterfaceCapability& interface, const Tool& tool);
+
+/// The settings with stiffness, and then metric length, no greater than the interface is rated for.
+SessionSettings held_to_rating(SessionSettings settings, const InterfaceCapability& interface);
+
+/// What went wrong in a world, a sentence; empty: nothing.
+std::string trouble_of(const WorldDiagnostics& found);
+
 /// The scene's own haptic settings as a request. Throws InputError that names `file` and the setting where one is
 /// unknown or out of range.
 SettingsRequest settings_of(const std::vector<HapticSettingInScene>& scene, const std::filesystem::path& file);

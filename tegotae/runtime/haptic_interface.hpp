@@ -16,11 +16,12 @@ struct InterfaceCapability {
   std::string name;
   int input_degrees_of_freedom = 6;
   int output_degrees_of_freedom = 6;
-  double max_force = std::numeric_limits<double>::infinity();      ///< N
-  double max_torque = std::numeric_limits<double>::infinity();     ///< N m
-  double max_stiffness = std::numeric_limits<double>::infinity();  ///< N/m, as rated
-  double rate = 1000.0;                                            ///< Hz, of its servo loop
-  double encoder_step = 0.0;                                       ///< m at the grip; 0: not quantised
+  double max_force = std::numeric_limits<double>::infinity();                 ///< N
+  double max_torque = std::numeric_limits<double>::infinity();                ///< N m
+  double max_stiffness = std::numeric_limits<double>::infinity();             ///< N/m, as rated
+  double max_rotational_stiffness = std::numeric_limits<double>::infinity();  ///< N m/rad, as rated
+  double rate = 1000.0;                                                       ///< Hz, of its servo loop
+  double encoder_step = 0.0;                                                  ///< m at the grip; 0: not quantised
 };
 
 /// What an interface reports: pose of the grip and so of the tool's frame.

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/simulated_presets.hpp>
+#include <tegotae/lab/experiment.hpp>
+#include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/live_run.hpp>
+#include <tegotae/lab/numeric_setting.hpp>
+#include <tegotae/lab/physics_rate.hpp>
+#include <tegotae/lab/session.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace tegotae {
+namespace {
+
+SettingsRequest request_of(const LiveScene& scene, const MujocoWorld& world, const SettingsRequest& wanted) {
+  const SettingsRequest of_scene = settings_of(world.haptic_settings(), scene.file);
+  if (scene.experiment == nullptr) return wanted.or_else(of_scene);
+  const Experiment& experiment = *scene.experiment;
+  return wanted.or_else(experiment.variants.front().settings).or_else(experiment.settings).or_else(of_scene);
+}
+
+// What the method has no use for is left out.
+SettingsRequest fitting(SettingsRequest request) {
+  const std::string method = request.method.value_or(SessionSettings{}.method);
+  if (!has_constraint_set(method)) request.constraint_set.reset();
+  for (const NumericSetting& setting : numeric_settings()) {
+    if (setting.of_proxy && method != "proxy") (request.*setting.field).reset();
+  }
+  return request;
+}
+
+std::optional<Trajectory> motion_of(const LiveScene& scene, const Tool& tool) {
+  if (scene.experiment == nullptr) return std::nullopt;
+  return scene.experiment->motion(tool);
+}
+
+const NumericSetting& setting_called(std::string_view name) {
+  for (const NumericSetting& setting : numeric_settings()) {
+    if (setting.name == name) return setting;
+  }
+  throw InputError(fmt::format("there is no setting '{}'.", name));
+}
+
+}  // namespace
+
+LiveRun::LiveRun(const LiveScene& scene, const SettingsRequest& wanted)
+    : scene_(scene),
+      world_(load_mujoco_world(scene.file, scene.tool)),
+      highest_physics_rate_(measured_physics_rate(*world_, wanted.haptic_rate.value_or(SessionSettings{}.haptic_rate)).rate),
+      request_(request_of(scene, *world_, wanted)),
+      settings_(decide(request_)),
+      warnings_(scene_warnings(*world_, scene.file)),
+      hand_(geometry().tool.X_WT, simulated_device("page"), simulated_hand("moderate"),
+            motion_of(scene, geometry().tool)),
+      physics_(*world_, {1.0 / settings_.physics_rate, settings_.margin}, needs_of(settings_.make_method(geometry()))),
+      haptics_(settings_.make_method(geometry()), geometry().tool,
+               safety_limits_of(settings_, hand_.capability(), geometry().tool), 1.0 / settings_.haptic_rate) {}
+
+SessionSettings LiveRun::decide(const SettingsRequest& request) const {
+  SettingsRequest complete = fitting(request);
+  if (!complete.physics_rate) complete.physics_rate = highest_physics_rate_;
+  SessionSettings settings = decide_settings(complete, geometry().tool);
+  settings.gravity = world_->gravity();
+  return held_to_rating(settings, simulated_device("page").capability);
+}
+
+RealtimeReport LiveRun::run(const std::atomic<bool>& stop, const RealtimeObserver& observer,
+                            std::function<void()> on_pass) {
+  constexpr double kWithoutEnd = 1e9;  // s
+  link_.on_pass = std::move(on_pass);
+  const auto until_ended = [&](const TickRecord& record) { return observer(record) && !ended_; };
+  return run_realtime(physics_, haptics_, hand_, 1.0 / settings_.haptic_rate, kWithoutEnd, stop, until_ended, &link_);
+}
+
+void LiveRun::set(std::string_view name, std::optional<double> value) {
+  const NumericSetting& setting = setting_called(name);
+  SettingsRequest next = request_;
+  next.*setting.field = value;
+  if (value) check_range(setting, *value);
+  if (name == "haptic_rate") {
+    throw InputError("the haptic rate is set when the program starts: --haptic-rate.");
+  }
+  if (setting.of_proxy && settings_.method != "proxy") {
+    throw InputError(fmt::format("the method '{}' has no {}; take method 'proxy'.", settings_.method, name));
+  }
+  if (name == "physics_rate" && value && *value > highest_physics_rate_) {
+    throw InputError(fmt::format("the scene affords a physics rate of at most {:g} Hz on this machine.",
+                                 highest_physics_rate_));
+  }
+  if (name == "metric_length") next.rotational_stiffness.reset();
+  if (name == "rotational_stiffness") next.metric_length.reset();
+  change(next);
+}
+
+void LiveRun::set_method(std::string_view name) {
+  SettingsRequest next = request_;
+  next.method = std::string(name);
+  change(next);
+}
+
+void LiveRun::change(const SettingsRequest& request) {
+  try {
+    const SessionSettings next = decide(request);
+    auto method = std::make_unique<RenderingMethod>(next.make_method(geometry()));
+    const PhysicsUpdate physics{{1.0 / next.physics_rate, next.margin}, needs_of(*method)};
+    link_.haptic_updates.give({std::move(method), safety_limits_of(next, hand_.capability(), geometry().tool)});
+    link_.physics_updates.write(physics);
+    settings_ = next;
+    request_ = request;
+  } catch (const std::invalid_argument& error) {
+    throw InputError(error.what());
+  }
+}
+
+void LiveRun::step() noexcept { link_.grant_step(1.0 / settings_.physics_rate, 1.0 / settings_.haptic_rate); }
+
+void LiveRun::guide(const Pose& X_WT) {
+  hand_.interrupt();
+  hand_.guide().guide(X_WT);
+}
+
+void LiveRun::play(Trajectory script) {
+  hand_.interrupt();
+  hand_.guide().play(std::move(script));
+}
+
+void LiveRun::stop_motion() {
+  hand_.interrupt();
+  hand_.guide().stop();
+}
+
+const ContactView& LiveRun::contacts() {
+  link_.contacts.update();
+  return link_.contacts.get();
+}
+
+const MovingBodies& LiveRun::bodies() {
+  link_.bodies.update();
+  return link_.bodies.get();
+}
+
+std::string LiveRun::trouble() const { return trouble_of(world_->diagnostics()); }
+
+}  // namespace tegotae

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/device/live_hand.hpp>
+#include <tegotae/lab/session_settings.hpp>
+#include <tegotae/runtime/realtime_session.hpp>
+#include <tegotae/world/mujoco_world.hpp>
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tegotae {
+
+struct Experiment;
+
+/// What a live run shows: a scene with a tool for the hand, or an experiment.
+struct LiveScene {
+  std::string name;                        ///< for people
+  std::filesystem::path file;              ///< MJCF or URDF
+  std::string tool = "tool";               ///< body in the hand
+  const Experiment* experiment = nullptr;  ///< whose motion is played first; null: none
+};
+
+/// One run of a scene in real time, from its first state: world, both loops, and a simulated hand and interface that a
+/// person guides. What steers it is called from the thread that `run` is called on (its observer, its `on_pass`).
+class LiveRun {
+ public:
+  /// `wanted` wins over the experiment's settings, these over the scene's. A physics rate that nobody set is the highest
+  /// that the scene affords on this machine. Throws InputError, SceneError.
+  LiveRun(const LiveScene& scene, const SettingsRequest& wanted);
+
+  /// Runs until `stop` becomes true, `end` is called, the observer says so, or the physics fails.
+  RealtimeReport run(const std::atomic<bool>& stop, const RealtimeObserver& observer, std::function<void()> on_pass);
+
+  // Steering.
+
+  /// Changes one setting from the next tick or step on; no value: the scene's or the default. Throws InputError, and
+  /// then nothing has changed.
+  void set(std::string_view name, std::optional<double> value);
+  /// Another method; settings that it does not have are kept for the next one that has them. Throws InputError.
+  void set_method(std::string_view name);
+  void pause(bool paused) noexcept { link_.paused.store(paused, std::memory_order_relaxed); }
+  bool is_paused() const noexcept { return link_.paused.load(std::memory_order_relaxed); }
+  /// Lets a paused run go on for one period of the physics.
+  void step() noexcept;
+  void end() noexcept { ended_ = true; }
+
+  /// Guides the hand to a pose; ends what plays.
+  void guide(const Pose& X_WT);
+  /// Plays a scripted motion: see GuidedMotion. Ends an experiment's.
+  void play(Trajectory script);
+  /// Ends what plays; the hand stays where it is.
+  void stop_motion();
+
+  // Looking.
+
+  bool is_playing() const noexcept { return hand_.is_playing_exactly() || hand_.guide().is_playing(); }
+  bool is_playing_exactly() const noexcept { return hand_.is_playing_exactly(); }
+  /// Where the hand means the tool to be.
+  Pose intended() { return hand_.guide().intended(); }
+  /// Contacts of a tick at most a frame ago.
+  const ContactView& contacts();
+  const MovingBodies& bodies();
+
+  const LiveScene& scene() const noexcept { return scene_; }
+  const MujocoWorld& world() const noexcept { return *world_; }
+  const SceneGeometry& geometry() const { return world_->geometry(); }
+  const SessionSettings& settings() const noexcept { return settings_; }
+  const SettingsRequest& request() const noexcept { return request_; }
+  const std::vector<std::string>& warnings() const noexcept { return warnings_; }
+  /// Hz, the highest physics rate that `set` permits on this machine.
+  double highest_physics_rate() const noexcept { return highest_physics_rate_; }
+  /// What went wrong in the world, a sentence; empty: nothing. After the run only.
+  std::string trouble() const;
+
+ private:
+  SessionSettings decide(const SettingsRequest& request) const;
+  void change(const SettingsRequest& request);
+
+  LiveScene scene_;
+  std::unique_ptr<MujocoWorld> world_;
+  double highest_physics_rate_ = 0.0;
+  SettingsRequest request_;
+  SessionSettings settings_;
+  std::vector<std::string> warnings_;
+  LiveHand hand_;
+  PhysicsLoop physics_;
+  HapticTick haptics_;
+  LiveLink link_;
+  std::atomic<bool> ended_{false};
+};
+
+}  // namespace tegotae
