@@ -51,7 +51,8 @@ const NumericSetting& setting_called(std::string_view name) {
 LiveRun::LiveRun(const LiveScene& scene, const SettingsRequest& wanted)
     : scene_(scene),
       world_(load_mujoco_world(scene.file, scene.tool)),
-      highest_physics_rate_(measured_physics_rate(*world_, wanted.haptic_rate.value_or(SessionSettings{}.haptic_rate)).rate),
+      highest_physics_rate_(
+          measured_physics_rate(*world_, wanted.haptic_rate.value_or(SessionSettings{}.haptic_rate)).rate),
       request_(request_of(scene, *world_, wanted)),
       settings_(decide(request_)),
       warnings_(scene_warnings(*world_, scene.file)),
@@ -89,8 +90,8 @@ void LiveRun::set(std::string_view name, std::optional<double> value) {
     throw InputError(fmt::format("the method '{}' has no {}; take method 'proxy'.", settings_.method, name));
   }
   if (name == "physics_rate" && value && *value > highest_physics_rate_) {
-    throw InputError(fmt::format("the scene affords a physics rate of at most {:g} Hz on this machine.",
-                                 highest_physics_rate_));
+    throw InputError(
+        fmt::format("the scene affords a physics rate of at most {:g} Hz on this machine.", highest_physics_rate_));
   }
   if (name == "metric_length") next.rotational_stiffness.reset();
   if (name == "rotational_stiffness") next.metric_length.reset();

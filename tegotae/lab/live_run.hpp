@@ -31,8 +31,8 @@ struct LiveScene {
 /// person guides. What steers it is called from the thread that `run` is called on (its observer, its `on_pass`).
 class LiveRun {
  public:
-  /// `wanted` wins over the experiment's settings, these over the scene's. A physics rate that nobody set is the highest
-  /// that the scene affords on this machine. Throws InputError, SceneError.
+  /// `wanted` wins over the experiment's settings, these over the scene's. A physics rate that nobody set is the
+  /// highest that the scene affords on this machine. Throws InputError, SceneError.
   LiveRun(const LiveScene& scene, const SettingsRequest& wanted);
 
   /// Runs until `stop` becomes true, `end` is called, the observer says so, or the physics fails.
