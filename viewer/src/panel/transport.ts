@@ -22,7 +22,9 @@ export class Transport {
       setText(this.record, recording ? "Stop recording" : "Record");
       this.record.setAttribute("aria-pressed", String(recording));
       const ticks = grouped(recording_ticks ?? 0);
-      setText(box("recording"), recording ? `${recording_file ?? ""} · ${ticks} ticks` : "");
+      const file = recording_file ?? "";
+      setText(box("recording"), recording ? `${file.slice(file.lastIndexOf("/") + 1)} · ${ticks} ticks` : "");
+      box("recording").title = recording ? file : "";
       setText(box("time"), `${t.toFixed(2)} s`);
       document.body.classList.toggle("paused", paused);
     });

@@ -39,7 +39,7 @@ export class WrenchPlot {
         padding: [6, 10, 0, 0],
         scales: { x: { time: false }, y: { range: (_plot, low, high) => this.heights(low, high) } },
         axes: [
-          { ...axisLook, size: 24, values: (_plot, ticks) => ticks.map((t) => `${Number(t.toFixed(3))} s`) },
+          { ...axisLook, size: 24, values: (_plot, ticks) => ticks.map((t) => (t < 0 ? "" : `${Number(t.toFixed(3))} s`)) },
           { ...axisLook, size: 46, values: (_plot, ticks) => ticks.map((value) => String(Number(value.toFixed(6)))) },
         ],
         series: [{}, ...curves.map(([label, stroke]) => ({ label, stroke, width: label === "size" ? 2 : 1.25, points: { show: false } }))],

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { roundDown } from "../quantities";
 
-const memory = 5; // s for which a peak holds the scale
+const span = 3; // s; a peak holds the scale for one to two of them
 const lowestPart = 0.12; // of the range; peaks below it bring the scale back
 
 /**
@@ -10,8 +10,9 @@ const lowestPart = 0.12; // of the range; peaks below it bring the scale back
  */
 export class AdaptiveScale {
   private range: number;
-  private peak = 0;
-  private peakTime = 0;
+  private began = 0; // the present span, s
+  private peak = 0; // of the present span
+  private lastPeak = 0; // of the one before
 
   constructor(private full: number, private readonly least: number) {
     this.range = least;
@@ -21,31 +22,33 @@ export class AdaptiveScale {
   begin(full: number): void {
     this.full = full;
     this.range = this.least;
-    this.peak = this.peakTime = 0;
+    this.began = this.peak = this.lastPeak = 0;
   }
 
   /** Takes a value of the time `t` (s) into account. */
   observe(value: number, t: number): void {
-    if (value >= this.peak || t - this.peakTime > memory || t < this.peakTime) {
-      this.peak = value;
-      this.peakTime = t;
-    }
-    while (value > this.range) this.range = next(this.range);
-    if (this.peak < lowestPart * this.range && t - this.peakTime > 0.9 * memory) {
-      this.range = Math.max(this.least, previous(this.range));
-    }
+    if (t < this.began || t - this.began > span) this.endSpan(t);
+    this.peak = Math.max(this.peak, value);
+    this.growFor(value);
   }
 
   /** Metres that are drawn for one unit. */
   get metresPerUnit(): number {
     return this.full / this.range;
   }
-}
 
-function next(range: number): number {
-  return roundDown(range * 2.5);
-}
+  private endSpan(t: number): void {
+    const peak = Math.max(this.peak, this.lastPeak);
+    if (peak < lowestPart * this.range) {
+      this.range = this.least;
+      this.growFor(2 * peak);
+    }
+    this.lastPeak = this.peak;
+    this.peak = 0;
+    this.began = t;
+  }
 
-function previous(range: number): number {
-  return roundDown(range / 1.9);
+  private growFor(value: number): void {
+    while (value > this.range) this.range = roundDown(2.5 * this.range);
+  }
 }

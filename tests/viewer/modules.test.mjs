@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of the page that need no browser.
+import assert from "node:assert/strict";
+import { describe, test } from "node:test";
+import { bundled } from "./bundled.mjs";
+
+function near(actual, expected, tolerance = 1e-12) {
+  assert.equal(actual.length, expected.length);
+  actual.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= tolerance, `${actual} is not ${expected}`));
+}
+
+describe("poses", async () => {
+  const { pointOn, translated, turned, turnBy } = await bundled("poses.ts");
+  const { Vector3 } = await import("three");
+  const quarter = Math.SQRT1_2;
+  const pose = [1, 2, 3, quarter, 0, 0, quarter]; // a quarter turn about z
+
+  test("a point of the body is where the pose puts it", () => {
+    near(pointOn(pose, [1, 0, 0]).toArray(), [1, 3, 3]);
+  });
+
+  test("a translation leaves the rotation alone", () => {
+    near(translated(pose, new Vector3(0.5, 0, -1)), [1.5, 2, 2, quarter, 0, 0, quarter]);
+  });
+
+  test("a turn leaves the centre where it is, and the quaternion a unit one", () => {
+    const centre = [0.1, -0.2, 0.3];
+    const after = turned(pose, turnBy(new Vector3(0.3, -0.8, 0.4)), centre);
+    near(pointOn(after, centre).toArray(), pointOn(pose, centre).toArray());
+    assert.ok(Math.abs(Math.hypot(...after.slice(3)) - 1) < 1e-12);
+    near(turned([0, 0, 0, 1, 0, 0, 0], turnBy(new Vector3(0, 0, Math.PI / 2)), [0, 0, 0]).slice(3), [quarter, 0, 0, quarter]);
+  });
+
+  test("no turn is the identity", () => near(turnBy(new Vector3()).toArray(), [0, 0, 0, 1]));
+});
+
+describe("quantities", async () => {
+  const { grouped, roundDown, roundWithUnit, withUnit } = await bundled("quantities.ts");
+
+  test("three digits and a prefix", () => {
+    assert.equal(withUnit(0.01234, "m"), "12.3 mm");
+    assert.equal(withUnit(12.34, "N"), "12.3 N");
+    assert.equal(withUnit(-0.00031, "J"), "-310 µJ");
+    assert.equal(withUnit(2e-8, "s"), "0.02 µs");
+    assert.equal(withUnit(0, "N"), "0 N");
+    assert.equal(withUnit(NaN, "N"), "–");
+    assert.equal(roundWithUnit(0.02, "N m"), "20 mN m");
+    assert.equal(roundWithUnit(5, ""), "5");
+  });
+
+  test("round numbers are not above what they round", () => {
+    for (const [value, round] of [[1, 1], [1.99, 1], [2, 2], [4.9, 2], [5, 5], [9.9, 5], [0.01, 0.01], [0.0299, 0.02]]) {
+      assert.ok(Math.abs(roundDown(value) - round) < 1e-12 * round, `${value}`);
+    }
+  });
+
+  test("counts are grouped", () => assert.equal(grouped(1234567), "1\u202f234\u202f567"));
+});
+
+describe("slider", async () => {
+  const { SliderScale, sliderSteps } = await bundled("panel/slider_scale.ts");
+  const setting = (changes) => ({ name: "", label: "", unit: "", value: 1, least: 0, most: 10, zero_too: false,
+    is_switch: false, available: true, ...changes });
+
+  test("gives back what it is set to, over decades", () => {
+    const scale = new SliderScale(setting({ name: "stiffness", value: 500, least: 1e-9, most: 1e9 }));
+    assert.ok(scale.isLogarithmic);
+    for (const value of [50, 120, 1000, 20000]) {
+      assert.ok(Math.abs(scale.valueAt(scale.positionOf(value)) / value - 1) < 0.01, `${value}`);
+    }
+    assert.equal(scale.positionOf(50), 0);
+    assert.equal(scale.positionOf(20000), sliderSteps);
+  });
+
+  test("reaches a value outside of what is usual, and never leaves what is permitted", () => {
+    assert.equal(new SliderScale(setting({ name: "stiffness", value: 1e5, most: 1e9, least: 1e-9 })).valueAt(sliderSteps), 1e5);
+    assert.equal(new SliderScale(setting({ name: "stiffness", value: 500, most: 800, least: 1 })).valueAt(sliderSteps), 800);
+    assert.equal(new SliderScale(setting({ name: "physics_rate", value: 100, least: 60, most: 2000 })).valueAt(0), 60);
+  });
+
+  test("has zero at its left end where zero is permitted", () => {
+    const scale = new SliderScale(setting({ name: "damping", value: 0, least: 0, most: 1e4 }));
+    assert.equal(scale.valueAt(0), 0);
+    assert.equal(scale.positionOf(0), 0);
+    assert.ok(scale.valueAt(1) > 0 && scale.positionOf(scale.valueAt(1)) >= 1);
+  });
+
+  test("is linear where a range has no decades", () => {
+    const scale = new SliderScale(setting({ name: "friction", value: null, most: 10 }));
+    assert.ok(!scale.isLogarithmic);
+    assert.equal(scale.valueAt(sliderSteps / 2), 1);
+  });
+});
+
+describe("history of samples", async () => {
+  const { SampleHistory } = await bundled("panel/sample_history.ts");
+  const sample = (t, f = 0) => [t, 0, f, 0, 0, 0, 2 * f];
+
+  test("takes a sample once, though states overlap", () => {
+    const history = new SampleHistory();
+    history.add([sample(0.001), sample(0.002)], 0.002);
+    history.add([sample(0.001), sample(0.002), sample(0.003, 5)], 0.003);
+    const [t, fy, size, torque] = history.last(5, 0, 2, 7, 8);
+    near([...t], [0.001, 0.002, 0.003]);
+    near([...fy], [0, 0, 5]);
+    near([...size], [0, 0, 5]);
+    near([...torque], [0, 0, 10]);
+  });
+
+  test("shows the last seconds alone", () => {
+    const history = new SampleHistory();
+    for (let i = 0; i < 8000; ++i) history.add([sample(i / 1000)], i / 1000);
+    const [t] = history.last(5, 0);
+    assert.ok(Math.abs(t[0] - 2.999) < 1e-9 && t.length === 5001);
+  });
+
+  test("begins anew when time goes back", () => {
+    const history = new SampleHistory();
+    history.add([sample(7)], 7);
+    history.add([sample(0.5)], 0.5);
+    near([...history.last(5, 0)[0]], [0.5]);
+  });
+
+  test("keeps the newest when it is full", () => {
+    const history = new SampleHistory();
+    for (let i = 0; i < 150000; ++i) history.add([sample(i / 10000)], i / 10000);
+    const [t] = history.last(2, 0);
+    assert.ok(Math.abs(t[t.length - 1] - 14.9999) < 1e-9 && t.length > 19990);
+    assert.ok(t.every((value, i) => i === 0 || value > t[i - 1]));
+  });
+});
+
+describe("scale of arrows", async () => {
+  const { AdaptiveScale } = await bundled("scene/adaptive_scale.ts");
+
+  test("no arrow is longer than the longest", () => {
+    const scale = new AdaptiveScale(0.2, 2);
+    for (const value of [0.5, 3, 40, 7]) {
+      scale.observe(value, 0);
+      assert.ok(value * scale.metresPerUnit <= 0.2 + 1e-12);
+    }
+    assert.ok(Math.abs(scale.metresPerUnit - 0.2 / 50) < 1e-15);
+  });
+
+  test("comes back when all has long been small, not further than at first", () => {
+    const scale = new AdaptiveScale(0.2, 2);
+    scale.observe(40, 0);
+    for (let t = 0; t < 3; t += 0.1) scale.observe(0.1, t);
+    assert.ok(Math.abs(scale.metresPerUnit - 0.2 / 50) < 1e-15, "for a while it stays");
+    for (let t = 3; t < 10; t += 0.1) scale.observe(0.1, t);
+    assert.ok(Math.abs(scale.metresPerUnit - 0.1) < 1e-12);
+  });
+});
+
+describe("hands", async () => {
+  const { gamepadVelocity, stick } = await bundled("hand/gamepad_hand.ts");
+  const { capAfter, capVelocity } = await bundled("hand/space_mouse.ts");
+  const report = (...counts) => new DataView(new Int16Array(counts).buffer);
+  const atRest = { translation: [0, 0, 0], rotation: [0, 0, 0] };
+
+  test("a stick rests in its middle and reaches the end", () => {
+    assert.equal(stick(0.1), 0);
+    assert.equal(stick(1), 1);
+    assert.equal(stick(-1), -1);
+    assert.ok(stick(0.5) > 0 && stick(0.5) < 0.3);
+  });
+
+  test("a gamepad moves right, up and away", () => {
+    const buttons = Array.from({ length: 16 }, () => ({ value: 0 }));
+    assert.equal(gamepadVelocity([0.05, 0, 0, 0], buttons), null);
+    buttons[7].value = 1;
+    near(gamepadVelocity([1, -1, 0, 0], buttons).linear, [1, 1, 1]);
+    near(gamepadVelocity([0, 0, 1, 0], buttons).angular, [0, 1, 0]);
+  });
+
+  test("a SpaceMouse tells of its cap in two reports, or in one", () => {
+    const slid = capAfter(atRest, 1, report(350, -175, 700));
+    near(slid.translation, [1, -0.5, 1]);
+    const both = capAfter(slid, 2, report(0, 5, 350));
+    near(both.translation, [1, -0.5, 1]);
+    near(both.rotation, [0, 0, 1]);
+    near(capAfter(atRest, 1, report(0, 0, 0, 350, 0, 0)).rotation, [1, 0, 0]);
+    assert.equal(capAfter(both, 3, report(1)), both, "buttons do not move it");
+  });
+
+  test("the cap's axes are the hand's", () => {
+    assert.equal(capVelocity(atRest), null);
+    near(capVelocity({ translation: [0.1, 0.2, 0.3], rotation: [0, -1, 0] }).linear, [0.1, -0.3, -0.2]);
+    near(capVelocity({ translation: [0, 0, 0], rotation: [0, -1, 0] }).angular, [0, 0, 1]);
+  });
+});
+
+describe("protocol", async () => {
+  const { parse } = await bundled("protocol.ts");
+  const { socketAddress } = await bundled("connection.ts");
+
+  test("unknown messages are left alone", () => {
+    assert.equal(parse('{"type": "later version"}'), null);
+    assert.equal(parse('{"type": 3}'), null);
+    assert.deepEqual(parse('{"type": "welcome", "viewer": 2}'), { type: "welcome", viewer: 2 });
+  });
+
+  test("the socket is at the page's own address, with its token", () => {
+    assert.equal(socketAddress(new URL("http://127.0.0.1:7000/")), "ws://127.0.0.1:7000/live");
+    assert.equal(socketAddress(new URL("https://host/?token=a%26b")), "wss://host/live?token=a%26b");
+  });
+});
