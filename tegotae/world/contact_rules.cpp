@@ -41,7 +41,7 @@ void keep_rows(void* array, size_t width, const std::vector<int>& rows) {
 
 }  // namespace
 
-ContactRules::ContactRules(const mjModel_& model, const ToolBody& tool) : model_(model), tool_(tool) {
+ContactRules::ContactRules(const mjModel_& model, const ToolBody& tool) : model_(model) {
 #if mjVERSION_HEADER < 300
   only_pairs_ = model.opt.collision == mjCOL_PAIR;
   with_pairs_ = model.opt.collision != mjCOL_DYNAMIC;

@@ -36,7 +36,6 @@ class ContactRules {
 
  private:
   const mjModel_& model_;
-  const ToolBody& tool_;
   bool only_pairs_ = false;
   bool with_pairs_ = true;
   std::set<std::pair<int, int>> pairs_;     // tool geom, other geom
