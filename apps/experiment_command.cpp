@@ -19,7 +19,7 @@ namespace {
 
 struct ExperimentOptions {
   std::string name;
-  std::string folder;
+  std::string folder, recording;
   bool list = false;
   bool real_time = false;
   SettingsOptions settings;
@@ -61,6 +61,7 @@ void run(const ExperimentOptions& options) {
   request.folder = options.folder;
   if (options.folder.empty()) request.folder = std::filesystem::path("out") / experiment.name;
 
+  request.recording = options.recording;
   request.real_time = options.real_time;
   request.stop = &interrupted();
   listen_for_interruption();
@@ -90,6 +91,9 @@ void add_experiment_command(CLI::App& program) {
   command->add_option("--out", options->folder, "Folder for the results; default: out/NAME")
       ->type_name("DIR")
       ->check(not_empty("a folder"));
+  command->add_option("--record", options->recording, "Recording (MCAP) to write of the first variant")
+      ->type_name("FILE")
+      ->check(not_empty("a file"));
   options->settings.add_method(*command);
   command->callback([options] { run(*options); });
 }

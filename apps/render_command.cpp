@@ -4,7 +4,7 @@
 #include <apps/progress_line.hpp>
 #include <apps/settings_options.hpp>
 #include <apps/validators.hpp>
-#include <tegotae/lab/recording_file.hpp>
+#include <tegotae/lab/run_recording.hpp>
 #include <tegotae/lab/samples_file.hpp>
 #include <tegotae/lab/session.hpp>
 #include <tegotae/lab/text_file.hpp>
@@ -44,21 +44,31 @@ struct RenderedRows {
   }
 };
 
-void refuse_to_overwrite_input(const RenderOptions& options) {
-  for (const auto& [option, input] :
-       {std::pair("--scene", options.scene), std::pair("--trajectory", options.trajectory)}) {
-    std::error_code error;
-    if (!std::filesystem::equivalent(options.out, input, error) || error) continue;
-    throw UsageError(
-        fmt::format("--out {} is the file of {}, which it would replace; name another.", options.out, option));
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return !a.empty() && (a == b || (std::filesystem::equivalent(a, b, error) && !error));
+}
+
+void refuse_to_overwrite(const std::string& option, const std::string& file, const std::string& other_option,
+                         const std::string& other) {
+  if (!is_same_file(file, other)) return;
+  throw UsageError(
+      fmt::format("{} {} is the file of {}, which it would replace; name another.", option, file, other_option));
+}
+
+void refuse_to_overwrite(const RenderOptions& options) {
+  for (const auto& [option, file] : {std::pair("--out", options.out), std::pair("--record", options.recording)}) {
+    refuse_to_overwrite(option, file, "--scene", options.scene);
+    refuse_to_overwrite(option, file, "--trajectory", options.trajectory);
   }
+  refuse_to_overwrite("--record", options.recording, "--out", options.out);
 }
 
 void warn(const std::string& warning) {
   if (!warning.empty()) fmt::print(stderr, "tegotae: warning: {}\n", warning);
 }
 
-RenderedRows render(Session& session, SamplesFile& samples, RecordingFile* recording) {
+RenderedRows render(Session& session, SamplesFile& samples, RunRecording* recording) {
   RenderedRows rows;
   ProgressLine progress("rendering");
   session.run_simulated(
@@ -75,7 +85,7 @@ RenderedRows render(Session& session, SamplesFile& samples, RecordingFile* recor
 
 void run(const RenderOptions& options) {
   const SettingsRequest wanted = options.settings.checked();
-  refuse_to_overwrite_input(options);
+  refuse_to_overwrite(options);
   Trajectory motion = read_trajectory(options.trajectory);
   auto world = load_mujoco_world(options.scene, options.tool);
   for (const std::string& warning : scene_warnings(*world, options.scene)) warn(warning);
@@ -85,8 +95,12 @@ void run(const RenderOptions& options) {
 
   check_writable_place(options.out);
   SamplesFile samples(options.out, session.notes(), session.start());
-  std::optional<RecordingFile> recording;
-  if (!options.recording.empty()) recording.emplace(options.recording, session.notes(), session.start());
+  std::optional<RunRecording> recording;
+  if (!options.recording.empty()) {
+    check_writable_place(options.recording);
+    recording.emplace(options.recording, session, session.notes(),
+                      std::filesystem::path(options.scene).filename().string(), "");
+  }
   listen_for_interruption();
   const RenderedRows rows = render(session, samples, recording ? &*recording : nullptr);
   if (recording) {

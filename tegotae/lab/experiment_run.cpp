@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/experiment_run.hpp>
 #include <tegotae/lab/physics_rate.hpp>
+#include <tegotae/lab/run_recording.hpp>
 #include <tegotae/lab/samples_file.hpp>
 #include <tegotae/lab/scene_file.hpp>
 #include <tegotae/lab/summary_json.hpp>
@@ -67,8 +68,8 @@ SettingsRequest with_measured_rate(SettingsRequest wanted, const MujocoWorld& wo
 }
 
 VariantResult run_variant(const Experiment& experiment, const Variant& variant, const ExperimentRequest& request,
-                          std::filesystem::path samples_file, std::vector<std::string>& warnings,
-                          const Progress& progress) {
+                          std::filesystem::path samples_file, const std::filesystem::path& recording_file,
+                          std::vector<std::string>& warnings, const Progress& progress) {
   const std::filesystem::path scene = find_scene(experiment.scene);
   auto world = load_mujoco_world(scene, experiment.tool);
   for (const std::string& warning : scene_warnings(*world, scene)) add_once(warnings, warning);
@@ -83,16 +84,27 @@ VariantResult run_variant(const Experiment& experiment, const Variant& variant, 
   Trajectory motion = experiment.motion(tool);
   Session session(std::move(world), std::move(motion), settings);
 
-  SamplesFile samples(result.samples_file, notes_of(experiment, result, session), session.start());
+  const std::vector<std::string> notes = notes_of(experiment, result, session);
+  SamplesFile samples(result.samples_file, notes, session.start());
+  std::optional<RunRecording> recording;
+  if (!recording_file.empty()) {
+    session.watch();
+    recording.emplace(recording_file, session, notes, experiment.scene, experiment.name);
+  }
   run_session(
       session, request,
       [&](const TickRecord& record) {
         samples.write(record);
+        if (recording) recording->write(record);
         result.records.push_back(record);
         return !is_stopped(request);
       },
       progress, result);
   samples.close();
+  if (recording) {
+    recording->close();
+    add_once(warnings, recording->error());
+  }
   add_once(warnings, session.trouble());
   if (result.real_time) add_once(warnings, result.real_time->physics_error);
   result.summary = summarise(experiment, result.records, settings.haptic_rate);
@@ -103,6 +115,7 @@ VariantResult run_variant(const Experiment& experiment, const Variant& variant, 
 
 ExperimentResult run_experiment(const Experiment& chosen, const ExperimentRequest& request, const Progress& progress) {
   make_folder(request.folder);
+  if (!request.recording.empty()) check_writable_place(request.recording);
   remove_earlier_results(chosen, request.folder);
   ExperimentResult result;
   const std::string method = request.settings.or_else(chosen.settings).method.value_or(SessionSettings{}.method);
@@ -111,9 +124,11 @@ ExperimentResult run_experiment(const Experiment& chosen, const ExperimentReques
   const auto count = static_cast<double>(experiment.variants.size());
   for (const Variant& variant : experiment.variants) {
     const auto done = static_cast<double>(result.variants.size());
+    const bool is_first = result.variants.empty();
     result.variants.push_back(run_variant(experiment, variant, request,
-                                          samples_file_of(request.folder, variant, result.variants.empty()),
-                                          result.warnings, [&](double part) { progress((done + part) / count); }));
+                                          samples_file_of(request.folder, variant, is_first),
+                                          is_first ? request.recording : std::filesystem::path(), result.warnings,
+                                          [&](double part) { progress((done + part) / count); }));
     result.interrupted = is_stopped(request);
     if (result.interrupted) break;
   }

@@ -15,8 +15,9 @@ namespace tegotae {
 
 /// How an experiment is to be performed.
 struct ExperimentRequest {
-  std::filesystem::path folder;  ///< for the results; made where it is not there
-  SettingsRequest settings;      ///< these win over the experiment's and its variants'
+  std::filesystem::path folder;          ///< for the results; made where it is not there
+  std::filesystem::path recording = {};  ///< of the first variant; empty: none
+  SettingsRequest settings;              ///< these win over the experiment's and its variants'
   bool real_time = false;
   const std::atomic<bool>* stop = nullptr;  ///< ends the run and the experiment where it becomes true
 };

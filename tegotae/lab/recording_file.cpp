@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/recording_file.hpp>
 #include <tegotae/lab/samples_file.hpp>
+#include <tegotae/stream/json_text.hpp>
 #include <tegotae/stream/mcap_reader.hpp>
 
 #include <fmt/format.h>
@@ -17,39 +18,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSessionTopic = "/tegotae/session";
-constexpr const char* kTickTopic = "/tegotae/tick";
-constexpr const char* kSessionSchema = "tegotae.Session.v1";
-constexpr const char* kTickSchema = "tegotae.Tick.v1";
-
-std::string schema_of_session() {
-  return Json{{"title", kSessionSchema},
-              {"type", "object"},
-              {"properties",
-               {{"format", {{"type", "integer"}, {"description", "version of the recording's format"}}},
-                {"notes", {{"type", "array"}, {"items", {{"type", "string"}}}}}}}}
-      .dump();
-}
-
-std::string schema_of_tick(const std::vector<CsvColumn<TickRecord>>& columns) {
-  Json properties;
-  for (const auto& column : columns) {
-    properties[column.name] = {{"type", "number"}};
-    if (!column.unit.empty()) properties[column.name]["description"] = "in " + column.unit;
-  }
-  return Json{{"title", kTickSchema}, {"type", "object"}, {"properties", properties}}.dump();
-}
+constexpr int kRecordingFormat = 1;
 
 std::uint64_t nanoseconds(double time) { return static_cast<std::uint64_t>(std::llround(std::max(time, 0.0) * 1e9)); }
-
-// JSON has no number that is not finite.
-void append_json_number(std::string& text, double value) {
-  if (std::isfinite(value)) {
-    append_number(text, value);
-  } else {
-    text += "null";
-  }
-}
 
 /// Turns messages into the rows of a samples file.
 class CsvExport {
@@ -57,10 +28,10 @@ class CsvExport {
   CsvExport(std::string file, std::ostream& csv) : file_(std::move(file)), csv_(csv) {}
 
   void take(const McapMessage& message) {
-    if (message.topic == kSessionTopic) {
+    if (message.topic == kSessionTopic.topic) {
       for (const auto& note : parsed(message).value("notes", Json::array())) notes_.push_back(note.get<std::string>());
     }
-    if (message.topic == kTickTopic) write_row(parsed(message));
+    if (message.topic == kTickTopic.topic) write_row(parsed(message));
   }
   std::uint64_t rows() const noexcept { return rows_; }
 
@@ -106,28 +77,47 @@ class CsvExport {
 
 RecordingFile::RecordingFile(const std::filesystem::path& file, const std::vector<std::string>& notes, double start)
     : writer_(file.string(), "tegotae " TEGOTAE_VERSION), columns_(sample_columns(start)) {
-  const int session = writer_.add_channel(kSessionTopic, kSessionSchema, schema_of_session());
-  tick_channel_ = writer_.add_channel(kTickTopic, kTickSchema, schema_of_tick(columns_));
-  writer_.write(session, nanoseconds(start), Json{{"format", 1}, {"notes", notes}}.dump());
+  const int session = add(kSessionTopic, schema_of_session());
+  scene_channel_ = add(kSceneTopic, schema_of_scene());
+  settings_channel_ = add(kSettingsTopic, schema_of_settings());
+  state_channel_ = add(kStateTopic, schema_of_state());
+  tick_channel_ = add(kTickTopic, schema_of_tick());
+  writer_.write(session, nanoseconds(start), Json{{"format", kRecordingFormat}, {"notes", notes}}.dump());
+}
+
+int RecordingFile::add(const RecordingTopic& kind, std::string_view schema) {
+  return writer_.add_channel(kind.topic, kind.schema, schema);
 }
 
 void RecordingFile::write(const TickRecord& record) {
-  json_.assign(1, '{');
-  for (const auto& column : columns_) {
-    json_ += json_.size() > 1 ? ",\"" : "\"";
-    json_ += column.name;
-    json_ += "\":";
-    append_json_number(json_, column.value(record));
-  }
-  json_ += '}';
-  writer_.write(tick_channel_, nanoseconds(columns_.front().value(record)), json_);
+  JsonText json;
+  json.reserve(longest_tick_);
+  json.open_object();
+  for (const auto& column : columns_) json.key(column.name).number(column.value(record));
+  const std::string text = json.close_object().take();
+  longest_tick_ = std::max(longest_tick_, text.size());
+  writer_.write(tick_channel_, nanoseconds(columns_.front().value(record)), text);
+  ++ticks_;
+}
+
+void RecordingFile::write_scene(double time, std::string_view message) {
+  writer_.write(scene_channel_, nanoseconds(time), message);
+}
+
+void RecordingFile::write_settings(double time, std::string_view message) {
+  writer_.write(settings_channel_, nanoseconds(time), message);
+}
+
+void RecordingFile::write_state(double time, std::string_view message) {
+  writer_.write(state_channel_, nanoseconds(time), message);
 }
 
 RecordingExport export_csv(const std::filesystem::path& recording, std::ostream& csv) {
   CsvExport rows(recording.string(), csv);
   const McapEnd end = read_mcap(recording, [&](const McapMessage& message) { rows.take(message); });
   if (rows.rows() == 0) {
-    throw RecordingError(fmt::format("{}: the recording holds no ticks (topic {}).", recording.string(), kTickTopic));
+    throw RecordingError(
+        fmt::format("{}: the recording holds no ticks (topic {}).", recording.string(), kTickTopic.topic));
   }
   return {rows.rows(), end.complete};
 }

@@ -30,6 +30,12 @@ SessionSettings in_world(SessionSettings settings, const MujocoWorld& world) {
 
 }  // namespace
 
+struct Session::Seen {
+  ContactView contacts;
+  MovingBodies bodies;
+  std::vector<BodyState> states;
+};
+
 Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const SessionSettings& settings)
     : world_(std::move(world)),
       settings_(in_world(settings, *world_)),
@@ -37,7 +43,8 @@ Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const Se
       duration_(motion.end() - motion.start()),
       interface_(std::move(motion)),
       physics_(*world_, {1.0 / settings.physics_rate, settings.margin},
-               needs_of(settings_.make_method(world_->geometry()))) {
+               needs_of(settings_.make_method(world_->geometry()))),
+      seen_(std::make_unique<Seen>()) {
   if (duration_ * settings_.haptic_rate > tolerance::kMaxTicks) {
     throw InputError(
         fmt::format("the motion lasts {:g} s, which is {:g} ticks at {:g} Hz; at most {:g} are rendered: "
@@ -49,6 +56,8 @@ Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const Se
                                           1.0 / settings_.haptic_rate);
 }
 
+Session::~Session() = default;
+
 TickObserver Session::with_progress(const TickObserver& observer, const Progress& progress) const {
   constexpr long kTicksBetweenReports = 1000;
   return [&observer, &progress, duration = duration_, ticks = 0L](const TickRecord& record) mutable {
@@ -58,6 +67,7 @@ TickObserver Session::with_progress(const TickObserver& observer, const Progress
 }
 
 void Session::run_simulated(const TickObserver& observer, const Progress& progress) {
+  link_.reset();
   tegotae::run_simulated(physics_, *haptics_, interface_, 1.0 / settings_.haptic_rate, duration_,
                          with_progress(observer, progress));
 }
@@ -65,7 +75,32 @@ void Session::run_simulated(const TickObserver& observer, const Progress& progre
 RealtimeReport Session::run_realtime(const TickObserver& observer, const Progress& progress,
                                      const std::atomic<bool>& stop) {
   return tegotae::run_realtime(physics_, *haptics_, interface_, 1.0 / settings_.haptic_rate, duration_, stop,
-                               with_progress(observer, progress));
+                               with_progress(observer, progress), link_.get());
+}
+
+const ContactView& Session::contacts() {
+  if (link_ != nullptr) {
+    link_->contacts.update();
+    return link_->contacts.get();
+  }
+  haptics_->view(seen_->contacts);
+  return seen_->contacts;
+}
+
+const MovingBodies& Session::bodies() {
+  if (link_ != nullptr) {
+    link_->bodies.update();
+    return link_->bodies.get();
+  }
+  MovingBodies& bodies = seen_->bodies;
+  seen_->states.resize(static_cast<std::size_t>(world_->geometry().moving_count));
+  world_->read_bodies(seen_->states);
+  bodies.time = world_->time();
+  bodies.period = physics_.settings().period;
+  bodies.steps = static_cast<std::uint64_t>(std::llround(bodies.time / bodies.period));
+  bodies.count = static_cast<std::int32_t>(seen_->states.size());
+  for (std::size_t i = 0; i < seen_->states.size(); ++i) bodies.poses[i] = seen_->states[i].X_WB;
+  return bodies;
 }
 
 std::string Session::trouble() const { return trouble_of(world_->diagnostics()); }

@@ -4,6 +4,7 @@
 #include <tegotae/device/playback_interface.hpp>
 #include <tegotae/lab/progress.hpp>
 #include <tegotae/lab/session_settings.hpp>
+#include <tegotae/runtime/live_link.hpp>
 #include <tegotae/runtime/realtime_session.hpp>
 #include <tegotae/runtime/simulated_session.hpp>
 #include <tegotae/world/mujoco_world.hpp>
@@ -23,13 +24,25 @@ class Session {
  public:
   /// Throws InputError where the motion is too long for the haptic rate.
   Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const SessionSettings& settings);
+  ~Session();
 
   /// In simulated time, on this thread, until the motion ends or the observer says so: every record but `tick_us`
   /// repeats bit for bit.
   void run_simulated(const TickObserver& observer, const Progress& progress);
 
-  /// In real time, both rates on threads of their own, until the motion ends or `stop` becomes true.
+  /// In real time, both rates on threads of their own, until the motion ends or `stop` becomes true. A world that
+  /// throws ends a run that is watched; else the physics alone.
   RealtimeReport run_realtime(const TickObserver& observer, const Progress& progress, const std::atomic<bool>& stop);
+
+  /// Before a run in real time: `contacts` and `bodies` will be asked for.
+  void watch() { link_ = std::make_unique<LiveLink>(); }
+
+  // For the observer of a run, on its thread.
+
+  /// What the newest tick worked with; in real time, of a tick at most a sixtieth of a second ago.
+  const ContactView& contacts();
+  /// Where the moving bodies are, as far as physics has come.
+  const MovingBodies& bodies();
 
   /// What went wrong in the world during the run, a sentence; empty: nothing.
   std::string trouble() const;
@@ -43,6 +56,7 @@ class Session {
   std::vector<std::string> notes() const;
 
  private:
+  struct Seen;
   TickObserver with_progress(const TickObserver& observer, const Progress& progress) const;
 
   std::unique_ptr<MujocoWorld> world_;
@@ -51,6 +65,8 @@ class Session {
   PlaybackInterface interface_;
   PhysicsLoop physics_;
   std::unique_ptr<HapticTick> haptics_;
+  std::unique_ptr<LiveLink> link_;  ///< null: not watched, or in simulated time
+  std::unique_ptr<Seen> seen_;      ///< in simulated time
 };
 
 /// Limits of the safety stage for a session on an interface.

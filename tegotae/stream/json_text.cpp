@@ -46,9 +46,10 @@ JsonText& JsonText::rounded(double value) {
   if (!std::isfinite(value)) return null();
   separate();
   constexpr int kDigits = 7;
+  constexpr double kLeast = 1e-12;
   char digits[32];
-  const std::to_chars_result end =
-      std::to_chars(digits, digits + sizeof digits, value + 0.0, std::chars_format::general, kDigits);
+  const std::to_chars_result end = std::to_chars(digits, digits + sizeof digits, std::abs(value) < kLeast ? 0.0 : value,
+                                                 std::chars_format::general, kDigits);
   text_.append(digits, end.ptr);
   return *this;
 }

@@ -24,7 +24,8 @@ class JsonText {
 
   /// In the shortest form that reads back to the same double. JSON has no number that is not finite: null.
   JsonText& number(double value);
-  /// To 7 significant digits: a micrometre in ten metres, finer than any screen. Not finite: null.
+  /// To 7 significant digits, a micrometre in ten metres, finer than any screen; below 1e-12 in magnitude, where there
+  /// is only rounding, 0. Not finite: null.
   JsonText& rounded(double value);
   JsonText& count(std::uint64_t value);
   JsonText& flag(bool value);

@@ -140,7 +140,9 @@ McapEnd read_mcap(const std::filesystem::path& file, const std::function<void(co
     if (opcode == static_cast<std::uint8_t>(Opcode::kSchema)) definitions.read_schema(content);
     if (opcode == static_cast<std::uint8_t>(Opcode::kChannel)) definitions.read_channel(content);
     if (opcode == static_cast<std::uint8_t>(Opcode::kMessage)) {
-      observer(definitions.message(content));
+      McapMessage message = definitions.message(content);
+      message.offset = at - message.data.size();
+      observer(message);
       ++end.messages;
     }
     if (opcode == kChunk) {

@@ -23,6 +23,7 @@ struct McapMessage {
   std::string_view encoding;  ///< of the data: "json"
   std::uint64_t time = 0;     ///< ns, when it was logged
   std::string_view data;
+  std::uint64_t offset = 0;  ///< of the data in the file, bytes
 };
 
 /// How the reading of a recording ended.

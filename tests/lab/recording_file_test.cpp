@@ -89,6 +89,42 @@ TEST(RecordingFile, WithoutTicksIsRefused) {
   EXPECT_THAT([&] { export_csv(file, csv); }, ThrowsMessage<RecordingError>(HasSubstr("holds no ticks")));
 }
 
+TEST(RecordingFile, KeepsWhatThePagesWereToldAsItWas) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.mcap";
+  RecordingFile recording(file, {}, 5.0);
+  recording.write_scene(5.0, R"({"type":"scene"})");
+  recording.write_settings(5.0, R"({"type":"settings"})");
+  recording.write(tick(0));
+  recording.write_state(5.25, R"({"type":"state","n":1})");
+  EXPECT_EQ(recording.ticks(), 1U);
+  recording.close();
+  ASSERT_EQ(recording.error(), "");
+  std::vector<std::string> read;
+  EXPECT_TRUE(read_mcap(file, [&](const McapMessage& message) {
+                if (message.topic == kTickTopic.topic || message.topic == kSessionTopic.topic) return;
+                read.push_back(std::string(message.topic) + " " + std::string(message.schema_name) + " " +
+                               std::to_string(message.time) + " " + std::string(message.data));
+              }).complete);
+  EXPECT_EQ(read, (std::vector<std::string>{R"(/tegotae/scene tegotae.Scene.v1 5000000000 {"type":"scene"})",
+                                            R"(/tegotae/settings tegotae.Settings.v1 5000000000 {"type":"settings"})",
+                                            R"(/tegotae/state tegotae.State.v1 5250000000 {"type":"state","n":1})"}));
+}
+
+TEST(RecordingFile, AFullDiskEndsItWithASentence) {
+  RecordingFile recording("/dev/full", {}, 0.0);
+  recording.write_scene(0.0, "{}");
+  for (int i = 0; i < 200; ++i) {
+    recording.write(tick(i));
+    recording.write_state(1e-3 * i, "{}");
+  }
+  recording.close();
+  EXPECT_FALSE(recording.ok());
+  EXPECT_EQ(recording.ticks(), 200U);
+  EXPECT_THAT(recording.error(),
+              testing::AllOf(HasSubstr("/dev/full"), HasSubstr("No space left"), HasSubstr("Free space")));
+}
+
 // A recording rendered again gives the forces of the run that made it.
 TEST(ProgramExport, ARecordedRunIsRenderedAgainTheSame) {
   const TemporaryFolder folder;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -37,8 +38,13 @@ TEST(JsonText, RoundsToSevenDigitsAndKeepsAllOtherwise) {
     const double value = normal(random) * std::pow(10.0, 4.0 * normal(random));
     const auto read = nlohmann::json::parse(JsonText().open_array().number(value).rounded(value).close_array().take());
     EXPECT_EQ(read[0].get<double>(), value);
-    EXPECT_NEAR(read[1].get<double>(), value, 0.51e-6 * std::abs(value));
+    EXPECT_NEAR(read[1].get<double>(), value, std::max(0.51e-6 * std::abs(value), 1e-12));
   }
+}
+
+TEST(JsonText, WhatIsOnlyRoundingIsZero) {
+  EXPECT_EQ(JsonText().open_array().rounded(0.9e-12).rounded(-2e-16).rounded(1e-12).close_array().take(),
+            "[0,0,1e-12]");
 }
 
 TEST(JsonText, TextsAreEscapedAndAlwaysUtf8) {
