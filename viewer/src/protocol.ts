@@ -83,26 +83,28 @@ export interface Histogram {
   counts: number[];
 }
 
-/** Every member may be absent: a recording need not hold all of them. */
+export type Known = number | null;
+
+/** A number that is not known is null; every member may be absent. */
 export interface Numbers {
-  tick_median_us?: number;
-  tick_p99_us?: number;
-  tick_p999_us?: number;
-  tick_max_us?: number;
-  ticks?: number;
-  haptic_rate?: number;
-  physics_rate?: number;
-  physics_step_ms?: number;
-  staleness_ms?: number;
-  missed?: number;
-  near_objects?: number;
-  contacts?: number;
-  active?: number;
-  constraints?: number;
-  dropped?: number;
-  iterations?: number;
-  depth?: number;
-  energy?: number;
+  tick_median_us?: Known;
+  tick_p99_us?: Known;
+  tick_p999_us?: Known;
+  tick_max_us?: Known;
+  ticks?: Known;
+  haptic_rate?: Known;
+  physics_rate?: Known;
+  physics_step_ms?: Known;
+  staleness_ms?: Known;
+  missed?: Known;
+  near_objects?: Known;
+  contacts?: Known;
+  active?: Known;
+  constraints?: Known;
+  dropped?: Known;
+  iterations?: Known;
+  depth?: Known;
+  energy?: Known;
   status?: string;
   safety?: string[];
 }

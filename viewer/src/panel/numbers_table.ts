@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { make, setText } from "../dom";
-import type { Numbers, State } from "../protocol";
+import type { Known, Numbers, State } from "../protocol";
 import { grouped, trimmed, withUnit } from "../quantities";
 
 /** What of the page itself stands among the numbers. */
@@ -18,11 +18,12 @@ interface Row {
 }
 
 const size = (x: number, y: number, z: number) => Math.hypot(x, y, z);
-const micro = (value?: number) => (value === undefined ? "–" : withUnit(value * 1e-6, "s"));
-const milli = (value?: number) => (value === undefined ? "–" : withUnit(value * 1e-3, "s"));
-const unit = (value: number | undefined, name: string) => (value === undefined ? "–" : withUnit(value, name));
-const rate = (value?: number) => (value === undefined ? "–" : `${trimmed(value)} Hz`);
-const count = (value?: number) => (value === undefined ? "–" : grouped(value));
+const told = (value: Known | undefined, tell: (value: number) => string) => (value == null ? "–" : tell(value));
+const micro = (value?: Known) => told(value, (us) => withUnit(us * 1e-6, "s"));
+const milli = (value?: Known) => told(value, (ms) => withUnit(ms * 1e-3, "s"));
+const unit = (value: Known | undefined, name: string) => told(value, (number) => withUnit(number, name));
+const rate = (value?: Known) => told(value, (hertz) => `${trimmed(hertz)} Hz`);
+const count = (value?: Known) => told(value, grouped);
 
 const rows: readonly Row[] = [
   { name: "force", label: "Force", summary: "Size of the displayed force",
@@ -47,7 +48,7 @@ const rows: readonly Row[] = [
   { name: "status", label: "Status", summary: "Of the last tick",
     text: ({ numbers }) => numbers.status ?? "–", isBad: ({ status }) => status !== undefined && status !== "ok" },
   { name: "safety", label: "Safety", summary: "What the last stage before the hand has done",
-    text: ({ numbers }) => numbers.safety?.join(", ") || "nothing" },
+    text: ({ numbers }) => numbers.safety?.map((event) => event.replace("_", " ")).join(", ") || "nothing" },
   { name: "haptic_rate", label: "Haptic rate", summary: "Ticks a second, as measured",
     text: ({ numbers }) => rate(numbers.haptic_rate) },
   { name: "physics_rate", label: "Physics rate", summary: "Steps of the physics a second, as measured",

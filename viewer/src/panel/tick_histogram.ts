@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import uPlot from "uplot";
 import { make } from "../dom";
-import type { Histogram, Numbers } from "../protocol";
+import type { Histogram, Known, Numbers } from "../protocol";
 import { axisLook, font, ink, sizeInside } from "./plot_look";
 
 const floorCount = 0.5; // on the axis of counts, which is logarithmic too and has no place for 0
@@ -60,7 +60,7 @@ export class TickHistogram {
 
   private drawMarks(plot: uPlot): void {
     const { tick_median_us, tick_p99_us, tick_p999_us } = this.numbers;
-    const marks: [number | undefined, string][] = [
+    const marks: [Known | undefined, string][] = [
       [tick_median_us, "50 %"],
       [tick_p99_us, "99 %"],
       [tick_p999_us, "99.9 %"],
@@ -71,7 +71,7 @@ export class TickHistogram {
     ctx.fillStyle = ctx.strokeStyle = ink;
     ctx.setLineDash([3, 3]);
     marks.forEach(([us, label], i) => {
-      const x = us === undefined ? NaN : plot.valToPos(us, "x", true);
+      const x = us == null ? NaN : plot.valToPos(us, "x", true);
       if (!(x >= bbox.left && x <= bbox.left + bbox.width)) return;
       ctx.beginPath();
       ctx.moveTo(x, bbox.top);

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of the built program in a browser, used as a person uses it.
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { launch, output, ViewerPage } from "./browser.mjs";
+import { Program } from "./program.mjs";
+import { forceOf, lengthOf, scenes } from "./scene_facts.mjs";
+
+const forceColour = [255, 77, 79]; // of the curve of the force's size
+const floor = { file: join(scenes, "cube-on-floor.xml"), halfEdge: 0.02 }; // m; the floor is z = 0
+
+let browser;
+before(async () => (browser = await launch()));
+after(() => browser.close());
+
+/** Runs `use` with a program and a page on it, and stops both. */
+async function served(args, use) {
+  const program = await Program.start("serve", ...args, "--port", "0");
+  try {
+    const page = await ViewerPage.open(browser, program.address);
+    await use(page, program);
+    await page.close();
+  } finally {
+    await program.stop();
+  }
+}
+
+describe("the page of tegotae serve", () => {
+  test("shows its scene: the canvas is not blank, and nothing is cut off at 1280 by 720", () =>
+    served([], async (page) => {
+      await page.until(() => window.tegotae.framesPerSecond > 0);
+      assert.ok((await page.colourCount({ x: 300, y: 100, width: 600, height: 400 })) > 50);
+      assert.equal(await page.text("connection"), "live");
+      assert.equal(await page.text("scene-name"), "table");
+      const size = await page.page.evaluate(() => [document.body.scrollWidth, document.body.scrollHeight]);
+      assert.deepEqual(size, [1280, 720]);
+      for (const name of ["pause", "record", "help-button", "force-plot", "tick-plot", "method"]) {
+        const { x, y, width, height } = await page.control(name).boundingBox();
+        assert.ok(x >= 0 && y >= 0 && x + width <= 1280 && y + height <= 720, name);
+      }
+      await page.picture("table");
+    }));
+
+  test("dragging the tool onto the floor shows a force, and the floor stops the proxy", () =>
+    served([floor.file], async (page) => {
+      await page.dragTool(0, 220);
+      await page.until(() => Math.hypot(...window.tegotae.state.wrench.slice(0, 3)) > 1);
+      await page.untilText("number-force", /^[1-9][\d.]* N$/);
+      const { tool, proxy, wrench, hand, points } = await page.state();
+      assert.notEqual(hand, null);
+      assert.ok(proxy[2] > floor.halfEdge - 1e-4, `the proxy is at ${proxy[2]} m`);
+      assert.ok(tool[2] < proxy[2] - 1e-4, "the hand has gone on");
+      assert.ok(wrench[2] > 0.6 * lengthOf(wrench.slice(0, 3)), "the floor pushes up");
+      assert.ok(points.some(([, , , , force]) => force > 0));
+      await page.page.waitForTimeout(600);
+      const heights = await page.curveHeights("force-plot", forceColour);
+      assert.ok(Math.max(...heights) > 20, "the curve rises above its base");
+      await page.picture("pressed");
+      await page.letGo();
+    }));
+
+  test("stiffness and method act at once; what is out of range changes nothing and is said", () =>
+    served([floor.file], async (page) => {
+      await page.dragTool(0, 220);
+      await page.until(() => window.tegotae.state.wrench[2] > 1);
+      await page.letGo();
+      const felt = async () => {
+        await page.page.waitForTimeout(800);
+        const { wrench, tool, proxy } = await page.state();
+        return lengthOf(wrench.slice(0, 3)) / lengthOf([0, 1, 2].map((i) => proxy[i] - tool[i]));
+      };
+      await page.type("stiffness", 400);
+      await page.untilValue("stiffness", 400);
+      const soft = await felt();
+      await page.type("stiffness", 800);
+      await page.untilValue("stiffness", 800);
+      const stiff = await felt();
+      assert.ok(Math.abs(soft / 400 - 1) < 0.05 && Math.abs(stiff / 800 - 1) < 0.05, `${soft} and ${stiff} N/m are felt`);
+
+      await page.control("method").selectOption("paper");
+      await page.until(() => window.tegotae.settings.method === "paper");
+      await page.until(() => window.tegotae.state.wrench[2] > 0.5);
+
+      await page.type("stiffness", -5);
+      await page.untilText("log", /stiffness/i);
+      await page.control("toast").first().waitFor();
+      assert.equal(await page.valueOf("stiffness"), 800);
+      await page.until(() => document.getElementById("setting-stiffness").value === "800");
+    }));
+
+  test("a slider acts, and every permitted end of it is taken", () =>
+    served([floor.file], async (page) => {
+      const slider = page.control("slider-stiffness");
+      for (const end of ["Home", "End"]) {
+        const before = await page.valueOf("stiffness");
+        await slider.press(end);
+        await page.until((last) => window.tegotae.settings.values.find(({ name }) => name === "stiffness").value !== last,
+          before);
+      }
+      const { value, least, most } = (await page.settings()).values.find(({ name }) => name === "stiffness");
+      assert.ok(value > least && value <= most);
+    }));
+
+  test("time stands still, goes on for a step, and begins anew", () =>
+    served([floor.file], async (page) => {
+      await page.control("pause").click();
+      await page.until(() => window.tegotae.state.paused);
+      await page.page.waitForTimeout(200);
+      const { t } = await page.state();
+      await page.page.waitForTimeout(200);
+      assert.equal((await page.state()).t, t);
+      await page.control("step").click();
+      await page.until((stopped) => window.tegotae.state.t > stopped, t);
+      assert.ok((await page.state()).t < t + 0.2, "one period, not more");
+      await page.control("view").focus();
+      await page.page.keyboard.press("Space");
+      await page.until(() => !window.tegotae.state.paused);
+      const start = (await page.state()).tool[2];
+      await page.dragTool(0, -60);
+      await page.until((z) => window.tegotae.state.tool[2] > z + 0.005, start);
+      await page.letGo();
+      await page.control("reset").click();
+      await page.until((z) => Math.abs(window.tegotae.state.tool[2] - z) < 1e-3, start);
+    }));
+
+  test("the tool moves and turns by keys alone, and every control can be reached", () =>
+    served([], async (page) => {
+      const start = await page.state();
+      await page.page.keyboard.down("e");
+      await page.until((z) => window.tegotae.state.tool[2] > z + 0.02, start.tool[2]);
+      await page.page.keyboard.up("e");
+      await page.page.keyboard.down("Shift");
+      await page.page.keyboard.down("d");
+      await page.until(() => Math.abs(window.tegotae.state.tool[6]) > 0.05);
+      await page.page.keyboard.up("d");
+      await page.page.keyboard.up("Shift");
+      await page.until(() => window.tegotae.state.hand === null);
+
+      const reached = new Set();
+      for (let i = 0; i < 80; ++i) {
+        await page.page.keyboard.press("Tab");
+        reached.add(await page.page.evaluate(() => {
+          const { outlineStyle } = getComputedStyle(document.activeElement);
+          return `${document.activeElement.dataset.testid ?? ""}${outlineStyle === "none" ? " without outline" : ""}`;
+        }));
+      }
+      const wanted = ["pause", "reset", "record", "frame-tool", "help-button", "view", "layer-force", "method",
+        "setting-stiffness", "slider-damping", "motion-choice", "motion-choice-go", "curve-force-size"];
+      for (const name of wanted) assert.ok(reached.has(name), `${name} is not among ${[...reached]}`);
+    }));
+
+  test("the help opens and closes by key", () =>
+    served([], async (page) => {
+      await page.page.keyboard.press("h");
+      await page.control("help").waitFor({ state: "visible" });
+      await page.picture("help");
+      await page.page.keyboard.press("Escape");
+      await page.control("help").waitFor({ state: "hidden" });
+    }));
+
+  test("layers can be hidden", () =>
+    served([], async (page) => {
+      const middle = { x: 300, y: 100, width: 600, height: 400 };
+      const all = await page.colourCount(middle);
+      for (const layer of ["bodies", "proxy", "held", "grid", "axes"]) await page.control(`layer-${layer}`).uncheck();
+      await page.page.waitForTimeout(300);
+      assert.ok((await page.colourCount(middle)) < all / 3);
+    }));
+
+  test("all text has a contrast of 4.5 or more to its ground", () =>
+    served([], async (page) => {
+      const { faintTexts } = await import("./contrast.mjs");
+      assert.deepEqual(await page.page.evaluate(faintTexts, 4.5), []);
+    }));
+
+  test("a second viewer joins, sees the same, and waits for the tool", () =>
+    served([floor.file], async (first, program) => {
+      const second = await ViewerPage.open(browser, program.address);
+      await first.until(() => window.tegotae.state.viewers === 2);
+      await first.dragTool(40, 0);
+      await second.until(() => window.tegotae.state.hand !== null);
+      const name = (await first.state()).hand;
+      await second.untilText("hand", new RegExp(`viewer ${name}`));
+      await second.dragTool(0, 30);
+      await second.control("toast").first().waitFor();
+      assert.equal((await second.state()).hand, name);
+      await second.page.mouse.up();
+      await first.letGo();
+      await second.close();
+      await first.until(() => window.tegotae.state.viewers === 1);
+    }));
+
+  test("a stopped program is shown as such, and the page comes back with it", async () => {
+    const program = await Program.start("serve", "--port", "0");
+    const page = await ViewerPage.open(browser, program.address);
+    assert.equal(await program.stop(), 0);
+    await page.control("lost").waitFor({ state: "visible" });
+    assert.match(await page.text("lost"), /The program has stopped/);
+    assert.equal(await page.text("connection"), "stopped");
+    await page.picture("stopped");
+    const again = await Program.start("serve", "--port", program.port);
+    try {
+      await page.control("lost").waitFor({ state: "hidden" });
+      await page.until(() => document.body.dataset.connection === "live");
+      await page.close();
+    } finally {
+      await again.stop();
+    }
+  });
+
+  test("how fast it is drawn and how old what it shows is, as figures", () =>
+    served([], async (page) => {
+      await page.control("motion-choice").selectOption("press");
+      await page.control("motion-choice-go").click();
+      await page.page.waitForTimeout(4000);
+      const figures = await page.page.evaluate(() => {
+        const ages = [...window.tegotae.agesWhenDrawn].sort((a, b) => a - b);
+        const { framesPerSecond, drawsInSoftware } = window.tegotae;
+        return { framesPerSecond, drawsInSoftware, ageMedian: ages[ages.length >> 1], ages: ages.length };
+      });
+      writeFileSync(join(output, "figures.json"), `${JSON.stringify(figures)}\n`);
+      assert.ok(figures.drawsInSoftware, "the figures are those of software rendering");
+      assert.ok(figures.framesPerSecond > 0 && figures.ages > 0 && figures.ageMedian >= 0);
+    }));
+});
+
+describe("a recording", () => {
+  test("is started and stopped on the page, and its replay shows the same forces", async () => {
+    let file = "";
+    const forces = [];
+    await served([floor.file, "--recordings", output], async (page) => {
+      await page.page.evaluate(() => {
+        window.seen = [];
+        let last = -1;
+        setInterval(() => {
+          const { state } = window.tegotae;
+          if (!state.recording) return;
+          for (const sample of state.samples) if (sample[0] > last) window.seen.push(sample);
+          last = state.samples[state.samples.length - 1]?.[0] ?? last;
+        }, 8);
+      });
+      await page.control("record").click();
+      await page.until(() => window.tegotae.state.recording_ticks > 0);
+      file = (await page.state()).recording_file;
+      await page.control("motion-choice").selectOption("press");
+      await page.control("motion-choice-go").click();
+      await page.until(() => window.tegotae.state.wrench[2] > 1);
+      await page.until(() => window.tegotae.state.motion === null);
+      await page.control("record").click();
+      await page.until(() => !window.tegotae.state.recording);
+      forces.push(...(await page.page.evaluate(() => window.seen)));
+    });
+    const strongest = forces.reduce((best, sample) => (forceOf(sample) > forceOf(best) ? sample : best));
+    assert.ok(forceOf(strongest) > 1);
+
+    const program = await Program.start("replay", file, "--port", "0");
+    try {
+      const page = await ViewerPage.open(browser, program.address);
+      assert.equal(await page.page.evaluate(() => window.tegotae.scene.mode), "replay");
+      await page.control("record").waitFor({ state: "hidden" });
+      await page.control("time-bar").waitFor({ state: "visible" });
+      await page.page.evaluate(() => window.tegotae.send({ type: "pause" }));
+      const first = (await page.state()).t;
+      assert.ok(first >= 0);
+      const peak = await page.page.evaluate(async () => {
+        let best = 0;
+        const { duration } = window.tegotae.scene;
+        for (let t = 0; t <= duration; t += duration / 60) {
+          window.tegotae.send({ type: "seek", t });
+          await new Promise((resolve) => setTimeout(resolve, 60));
+          for (const [, x, y, z] of window.tegotae.state.samples) best = Math.max(best, Math.hypot(x, y, z));
+        }
+        return best;
+      });
+      assert.ok(Math.abs(peak / forceOf(strongest) - 1) < 0.02, `${peak} N in place of ${forceOf(strongest)} N`);
+      await page.picture("replay");
+      await page.control("play").click();
+      await page.until(() => !window.tegotae.state.paused);
+      await page.close();
+    } finally {
+      await program.stop();
+    }
+  });
+});
