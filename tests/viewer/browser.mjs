@@ -61,7 +61,10 @@ export class ViewerPage {
   /** Waits until a text of the page matches. */
   async untilText(name, pattern) {
     await this.until(
-      ([id, source, flags]) => new RegExp(source, flags).test(document.querySelector(`[data-testid="${id}"]`)?.textContent ?? ""),
+      ([id, source, flags]) => {
+        const text = document.querySelector(`[data-testid="${id}"]`)?.textContent ?? "";
+        return new RegExp(source, flags).test(text);
+      },
       [name, pattern.source, pattern.flags],
     );
   }

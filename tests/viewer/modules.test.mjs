@@ -28,7 +28,8 @@ describe("poses", async () => {
     const after = turned(pose, turnBy(new Vector3(0.3, -0.8, 0.4)), centre);
     near(pointOn(after, centre).toArray(), pointOn(pose, centre).toArray());
     assert.ok(Math.abs(Math.hypot(...after.slice(3)) - 1) < 1e-12);
-    near(turned([0, 0, 0, 1, 0, 0, 0], turnBy(new Vector3(0, 0, Math.PI / 2)), [0, 0, 0]).slice(3), [quarter, 0, 0, quarter]);
+    const rightAngle = turnBy(new Vector3(0, 0, Math.PI / 2));
+    near(turned([0, 0, 0, 1, 0, 0, 0], rightAngle, [0, 0, 0]).slice(3), [quarter, 0, 0, quarter]);
   });
 
   test("no turn is the identity", () => near(turnBy(new Vector3()).toArray(), [0, 0, 0, 1]));
@@ -49,7 +50,8 @@ describe("quantities", async () => {
   });
 
   test("round numbers are not above what they round", () => {
-    for (const [value, round] of [[1, 1], [1.99, 1], [2, 2], [4.9, 2], [5, 5], [9.9, 5], [0.01, 0.01], [0.0299, 0.02]]) {
+    const pairs = [[1, 1], [1.99, 1], [2, 2], [4.9, 2], [5, 5], [9.9, 5], [0.01, 0.01], [0.0299, 0.02]];
+    for (const [value, round] of pairs) {
       assert.ok(Math.abs(roundDown(value) - round) < 1e-12 * round, `${value}`);
     }
   });
@@ -73,9 +75,11 @@ describe("slider", async () => {
   });
 
   test("reaches a value outside of what is usual, and never leaves what is permitted", () => {
-    assert.equal(new SliderScale(setting({ name: "stiffness", value: 1e5, most: 1e9, least: 1e-9 })).valueAt(sliderSteps), 1e5);
-    assert.equal(new SliderScale(setting({ name: "stiffness", value: 500, most: 800, least: 1 })).valueAt(sliderSteps), 800);
-    assert.equal(new SliderScale(setting({ name: "physics_rate", value: 100, least: 60, most: 2000 })).valueAt(0), 60);
+    const stiffness = { name: "stiffness", least: 1, most: 1e9 };
+    assert.equal(new SliderScale(setting({ ...stiffness, value: 1e5 })).valueAt(sliderSteps), 1e5);
+    assert.equal(new SliderScale(setting({ ...stiffness, value: 500, most: 800 })).valueAt(sliderSteps), 800);
+    const rate = { name: "physics_rate", value: 100, least: 60, most: 2000 };
+    assert.equal(new SliderScale(setting(rate)).valueAt(0), 60);
   });
 
   test("has zero at its left end where zero is permitted", () => {

@@ -77,7 +77,8 @@ describe("the page of tegotae serve", () => {
       await page.type("stiffness", 800);
       await page.untilValue("stiffness", 800);
       const stiff = await felt();
-      assert.ok(Math.abs(soft / 400 - 1) < 0.05 && Math.abs(stiff / 800 - 1) < 0.05, `${soft} and ${stiff} N/m are felt`);
+      assert.ok(Math.abs(soft / 400 - 1) < 0.05, `${soft} N/m is felt`);
+      assert.ok(Math.abs(stiff / 800 - 1) < 0.05, `${stiff} N/m is felt`);
 
       await page.control("method").selectOption("paper");
       await page.until(() => window.tegotae.settings.method === "paper");
@@ -96,8 +97,9 @@ describe("the page of tegotae serve", () => {
       for (const end of ["Home", "End"]) {
         const before = await page.valueOf("stiffness");
         await slider.press(end);
-        await page.until((last) => window.tegotae.settings.values.find(({ name }) => name === "stiffness").value !== last,
-          before);
+        const hasChanged = (last) =>
+          window.tegotae.settings.values.find(({ name }) => name === "stiffness").value !== last;
+        await page.until(hasChanged, before);
       }
       const { value, least, most } = (await page.settings()).values.find(({ name }) => name === "stiffness");
       assert.ok(value > least && value <= most);

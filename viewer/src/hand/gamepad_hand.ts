@@ -10,8 +10,8 @@ export function stick(value: number): number {
 }
 
 /**
- * A gamepad in the standard mapping. Left stick: right and away; triggers: up (right) and down (left). Right stick: turns
- * about up and about right; shoulder buttons roll.
+ * A gamepad in the standard mapping. Left stick: right and away; triggers: up (right) and down (left). Right stick:
+ * turns about up and about right; shoulder buttons roll.
  */
 export function gamepadVelocity(axes: readonly number[], buttons: readonly { value: number }[]): HandVelocity | null {
   const axis = (i: number) => stick(axes[i] ?? 0);

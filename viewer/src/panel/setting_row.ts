@@ -27,7 +27,8 @@ export class SettingRow {
   show(setting: Setting): void {
     const isNewRange = setting.least !== this.setting.least || setting.most !== this.setting.most;
     this.setting = setting;
-    if (isNewRange || (setting.value !== null && setting.value > this.scale.most)) this.scale = new SliderScale(setting);
+    const isBeyond = setting.value !== null && setting.value > this.scale.most;
+    if (isNewRange || isBeyond) this.scale = new SliderScale(setting);
     if (this.timer === 0) this.restore();
   }
 
@@ -72,7 +73,8 @@ export class SettingRow {
   private buildNumber(): void {
     const { label, unit, name } = this.setting;
     const unitLabel = make("span", { className: "unit", textContent: unit });
-    this.root.append(make("label", { htmlFor: this.number.id, textContent: label }), this.slider, this.number, unitLabel);
+    const title = make("label", { htmlFor: this.number.id, textContent: label });
+    this.root.append(title, this.slider, this.number, unitLabel);
     if (name === "friction") {
       const what = make("label", { className: "own", title: "Each object has the friction that the scene gives it" });
       what.append(this.own, "scene’s");

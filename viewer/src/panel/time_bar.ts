@@ -18,7 +18,8 @@ export class TimeBar {
       if (program.state?.paused === false) this.start();
     });
     window.addEventListener("keydown", (event) => {
-      const onControl = event.target instanceof HTMLButtonElement || (takesKeys(event.target) && event.target !== this.bar);
+      const { target } = event;
+      const onControl = target instanceof HTMLButtonElement || (takesKeys(target) && target !== this.bar);
       if (event.code !== "Space" || onControl || document.querySelector("dialog[open]")) return;
       if (program.scene?.mode !== "replay") return;
       event.preventDefault();

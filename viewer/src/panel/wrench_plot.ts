@@ -39,10 +39,18 @@ export class WrenchPlot {
         padding: [6, 10, 0, 0],
         scales: { x: { time: false }, y: { range: (_plot, low, high) => this.heights(low, high) } },
         axes: [
-          { ...axisLook, size: 24, values: (_plot, ticks) => ticks.map((t) => (t < 0 ? "" : `${Number(t.toFixed(3))} s`)) },
-          { ...axisLook, size: 46, values: (_plot, ticks) => ticks.map((value) => String(Number(value.toFixed(6)))) },
+          { ...axisLook, size: 24, values: (_plot, ticks) => ticks.map(inSeconds) },
+          { ...axisLook, size: 46, values: (_plot, ticks) => ticks.map((tick) => String(Number(tick.toFixed(6)))) },
         ],
-        series: [{}, ...curves.map(([label, stroke]) => ({ label, stroke, width: label === "size" ? 2 : 1.25, points: { show: false } }))],
+        series: [
+          {},
+          ...curves.map(([label, stroke]) => ({
+            label,
+            stroke,
+            width: label === "size" ? 2 : 1.25,
+            points: { show: false },
+          })),
+        ],
       },
       [[], [], [], [], []],
       this.frame,
@@ -74,4 +82,9 @@ export class WrenchPlot {
     label.style.setProperty("--swatch", colour);
     return label;
   }
+}
+
+/** The session begins at 0; what is left of it has no time. */
+function inSeconds(t: number): string {
+  return t < 0 ? "" : `${Number(t.toFixed(3))} s`;
 }

@@ -4,15 +4,15 @@ import { Color, ConeGeometry, CylinderGeometry, Group, Mesh, MeshBasicMaterial, 
 const headLength = 4.5; // in radii of the shaft
 const headRadius = 2.4;
 
-/** An arrow with one head, or two for a torque, drawn over all else so that the tool does not hide it. */
+/** An arrow with one head, or two for a torque. */
 export class Arrow {
   readonly object = new Group();
   private readonly shaft: Mesh;
   private readonly heads: Mesh[] = [];
 
-  /** `radius` of the shaft, m. */
-  constructor(colour: Color, private readonly radius: number, headCount: 1 | 2) {
-    const look = new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true, fog: false });
+  /** `radius` of the shaft, m; one that is `onTop` is drawn over all else, so that the tool does not hide it. */
+  constructor(colour: Color, private readonly radius: number, headCount: 1 | 2, onTop: boolean) {
+    const look = new MeshBasicMaterial({ color: colour, depthTest: !onTop, transparent: onTop, fog: false });
     this.shaft = new Mesh(new CylinderGeometry(1, 1, 1, 10).translate(0, 0.5, 0), look);
     this.object.add(this.shaft);
     for (let i = 0; i < headCount; ++i) {

@@ -23,7 +23,7 @@ function letter(text: string, colour: string): Sprite {
   }
   const look = new SpriteMaterial({ map: new CanvasTexture(canvas), sizeAttenuation: false, depthTest: false });
   const sprite = new Sprite(look);
-  sprite.scale.setScalar(0.035);
+  sprite.scale.setScalar(0.03);
   return sprite;
 }
 
@@ -38,12 +38,12 @@ export class AxesLayer implements Layer {
   begin(_scene: Scene, extent: SceneExtent): void {
     for (const sprite of Object.values(this.letters)) this.object.remove(sprite);
     empty(this.object);
-    const length = Math.max(0.25 * extent.bounds.radius, extent.toolRadius);
+    const length = Math.min(Math.max(0.25 * extent.bounds.radius, extent.toolRadius), 1.5 * extent.toolRadius);
     const directions = { x: new Vector3(1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
     for (const axis of ["x", "y", "z"] as const) {
-      const arrow = new Arrow(new Color(colours[axis]), 0.018 * length, 1);
+      const arrow = new Arrow(new Color(colours[axis]), 0.02 * length, 1, false);
       arrow.point(new Vector3(), directions[axis], length);
-      this.letters[axis].position.copy(directions[axis]).multiplyScalar(1.12 * length);
+      this.letters[axis].position.copy(directions[axis]).multiplyScalar(1.15 * length);
       this.object.add(arrow.object, this.letters[axis]);
     }
   }

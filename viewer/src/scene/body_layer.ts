@@ -10,14 +10,15 @@ import { shapeMesh } from "./shape_mesh";
 
 const planeShade = 0.32; // a ground without end in its full light colour would outshine all that stands on it
 
-/** The shape's colour under light. Planes lie a little deeper than they are, so that what is drawn on them shows. */
+/** The shape's colour under light. It is drawn a little deeper than it is, so that lines on its surface show. */
 export function bodyLook(shape: Shape): MeshLambertMaterial {
   const [r, g, b, a] = shape.colour;
   const shade = shape.kind === "plane" ? planeShade : 1;
   const color = new Color().setRGB(r * shade, g * shade, b * shade, SRGBColorSpace);
   const look = new MeshLambertMaterial({ color, transparent: a < 1, opacity: a });
-  look.polygonOffset = shape.kind === "plane";
-  look.polygonOffsetFactor = look.polygonOffsetUnits = 2;
+  look.polygonOffset = true;
+  look.polygonOffsetFactor = 1;
+  look.polygonOffsetUnits = 4;
   return look;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Box3, Mesh, Sphere, Vector3 } from "three";
+import { Box3, Group, Mesh, Sphere, Vector3 } from "three";
 import { place } from "../poses";
-import { Group } from "three";
 import type { Pose, Scene, Shape } from "../protocol";
 import { shapeGeometry } from "./shape_mesh";
 
@@ -13,10 +12,8 @@ export interface SceneExtent {
   toolRadius: number;
   /** Of all bounded bodies. */
   bounds: Sphere;
-  /** Height of the ground along the up axis, m. */
+  /** Height along the up axis at which the grid lies, m: a plane of the scene, else 0 where bodies reach so low. */
   ground: number;
-  /** Whether a plane of the scene is the ground. */
-  hasGroundPlane: boolean;
   /** Distance (m) up to which planes without end are drawn. */
   horizon: number;
 }
@@ -72,5 +69,5 @@ export function extentOf(scene: Scene): SceneExtent {
   const bounds = all.getBoundingSphere(new Sphere());
   const lowest = Math.min(all.min.dot(up), all.max.dot(up));
   const horizon = 40 * Math.max(bounds.radius, 4 * radius);
-  return { up, toolRadius: radius, bounds, ground: plane ?? lowest, hasGroundPlane: plane !== null, horizon };
+  return { up, toolRadius: radius, bounds, ground: plane ?? Math.max(lowest, 0), horizon };
 }

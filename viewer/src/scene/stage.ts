@@ -6,6 +6,7 @@ import type { SceneExtent } from "./scene_extent";
 import { drawsInSoftware } from "./software_rendering";
 
 const fieldOfView = 40; // degrees, vertical
+const softwarePixels = 640e3; // that a processor draws fast enough; larger views are drawn coarser
 
 /** Canvas, camera and light. It draws only after something has changed. */
 export class Stage {
@@ -20,7 +21,6 @@ export class Stage {
 
   constructor(readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: !this.inSoftware, powerPreference: "high-performance" });
-    this.renderer.setPixelRatio(this.inSoftware ? 1 : Math.min(window.devicePixelRatio, 2));
     this.scene.background = new Color(colours.background);
     this.scene.add(this.sun, this.sky);
     this.controls = this.newControls();
@@ -37,7 +37,7 @@ export class Stage {
     this.sun.position.copy(up).addScaledVector(right, 0.55).addScaledVector(back, 0.8);
     const distance = Math.min(Math.max(2.5 * bounds.radius, 7 * toolRadius), 20 * toolRadius);
     this.camera.up.copy(up);
-    this.camera.near = 0.02 * toolRadius;
+    this.camera.near = 0.1 * toolRadius;
     this.camera.far = 2 * extent.horizon;
     this.scene.fog = new Fog(colours.background, 4 * distance, 14 * distance);
     this.controls.dispose();
@@ -100,6 +100,8 @@ export class Stage {
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
+    const coarser = Math.min(1, Math.sqrt(softwarePixels / (clientWidth * clientHeight)));
+    this.renderer.setPixelRatio(this.inSoftware ? coarser : Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(clientWidth, clientHeight);
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();

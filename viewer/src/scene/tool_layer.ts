@@ -47,8 +47,8 @@ export class HeldLayer implements Layer {
     opacity: 0.42,
     depthWrite: false,
     polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 1,
+    polygonOffsetFactor: 2,
+    polygonOffsetUnits: 8,
   });
 
   begin(scene: Scene, _extent: SceneExtent): void {

@@ -31,7 +31,7 @@ class VectorLayer implements Layer {
 
   begin(scene: Scene, extent: SceneExtent): void {
     this.object.clear();
-    this.arrow = new Arrow(new Color(this.colour), shaft * extent.toolRadius, this.first === 0 ? 1 : 2);
+    this.arrow = new Arrow(new Color(this.colour), shaft * extent.toolRadius, this.first === 0 ? 1 : 2, true);
     this.object.add(this.arrow.object);
     this.arrow.object.visible = false;
     this.scale.begin(fullLength * extent.toolRadius);
