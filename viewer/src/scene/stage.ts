@@ -35,7 +35,7 @@ export class Stage {
     const back = right.clone().cross(up);
     this.sky.position.copy(up);
     this.sun.position.copy(up).addScaledVector(right, 0.55).addScaledVector(back, 0.8);
-    const distance = Math.min(Math.max(2.5 * bounds.radius, 7 * toolRadius), 20 * toolRadius);
+    const distance = Math.min(Math.max(2.5 * bounds.radius, 7 * toolRadius), 15 * toolRadius);
     this.camera.up.copy(up);
     this.camera.near = 0.1 * toolRadius;
     this.camera.far = 2 * extent.horizon;
