@@ -78,6 +78,18 @@ export class ViewerPage {
     for (let i = 1; i <= steps; ++i) await this.page.mouse.move(tool.x + (x * i) / steps, tool.y + (y * i) / steps);
   }
 
+  /** Drags the tool down until something pushes it up with `force` (N). */
+  async pressDown(force) {
+    const tool = await this.page.evaluate(() => window.tegotae.toolScreenPosition());
+    await this.page.mouse.move(tool.x, tool.y);
+    await this.page.mouse.down();
+    for (let y = 2; y < 400 && (await this.state()).wrench[2] < force; y += 2) {
+      await this.page.mouse.move(tool.x, tool.y + y);
+      await this.page.waitForTimeout(20);
+    }
+    assert.ok((await this.state()).wrench[2] >= force, "nothing is there to press on");
+  }
+
   async letGo() {
     await this.page.mouse.up();
     await this.until(() => window.tegotae.state.hand === null);

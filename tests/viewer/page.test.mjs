@@ -63,8 +63,7 @@ describe("the page of tegotae serve", () => {
 
   test("stiffness and method act at once; what is out of range changes nothing and is said", () =>
     served([floor.file], async (page) => {
-      await page.dragTool(0, 220);
-      await page.until(() => window.tegotae.state.wrench[2] > 1);
+      await page.pressDown(1);
       await page.letGo();
       const felt = async () => {
         await page.page.waitForTimeout(800);

@@ -49,8 +49,7 @@ class Page {
 
   constructor() {
     new MouseHand(this.hand, this.view, this.program);
-    for (const Part of [ConnectionBadge, Notices, PlayPanel, SettingsPanel, TimeBar, Transport]) new Part(this.program);
-    new Help();
+    for (const Part of [ConnectionBadge, Help, Notices, PlayPanel, SettingsPanel, TimeBar, Transport]) new Part(this.program);
     this.connectControls();
     openTestPort(this.program, this.view, this.ages, () => this.frameRate.perSecond(performance.now()));
     this.program.connect();

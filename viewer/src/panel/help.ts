@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import { box, button, byId, takesKeys } from "../dom";
+import type { Program } from "../program";
 
 /** The overlay that tells newcomers how to move tool and camera. */
 export class Help {
-  constructor() {
+  constructor(program: Program) {
     const dialog = byId("help", HTMLDialogElement);
     const toggle = () => (dialog.open ? dialog.close() : dialog.showModal());
     button("help-button").addEventListener("click", toggle);
@@ -15,6 +16,11 @@ export class Help {
       if (takesKeys(event.target) || event.ctrlKey || event.metaKey || event.altKey) return;
       if (event.key === "?" || event.code === "KeyH") toggle();
     });
-    box("hint").addEventListener("click", toggle);
+    const hint = box("hint");
+    hint.addEventListener("click", toggle);
+    // Who has held the tool once knows what it says.
+    program.states.listen(({ hand }) => {
+      if (hand !== null && hand === program.viewer) hint.hidden = true;
+    });
   }
 }

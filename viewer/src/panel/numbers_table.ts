@@ -90,7 +90,9 @@ export class NumbersTable {
     for (const row of rows) {
       const cell = this.cells.get(row.name);
       if (!cell) continue;
-      setText(cell, row.text(state, page));
+      const text = row.text(state, page);
+      setText(cell, text);
+      if (row.name === "safety" && cell.title !== text) cell.title = text;
       cell.classList.toggle("bad", row.isBad?.(state.numbers) ?? false);
     }
   }

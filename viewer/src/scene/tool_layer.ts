@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-import { Group, MeshLambertMaterial } from "three";
-import { place } from "../poses";
+import { GreaterDepth, Group, MeshLambertMaterial } from "three";
+import { place, positionOf } from "../poses";
 import type { Scene, Shape, State } from "../protocol";
 import { bodyLook } from "./body_layer";
 import { colours } from "./colours";
@@ -33,29 +33,48 @@ export class ProxyLayer implements Layer {
   }
 }
 
-/** The tool where it is held: a ghost, seen only where it is not inside the solid one. */
-export class HeldLayer implements Layer {
-  readonly name = "held";
-  readonly label = "Tool as it is held";
-  readonly colour = colours.held;
-  readonly object = new Group();
-  private readonly look = new MeshLambertMaterial({
+const apart = 0.02; // radii of the tool from which the ghost is seen through what hides it
+
+function ghostLook(opacity: number): MeshLambertMaterial {
+  return new MeshLambertMaterial({
     color: colours.held,
     emissive: colours.held,
     emissiveIntensity: 0.25,
     transparent: true,
-    opacity: 0.42,
+    opacity,
     depthWrite: false,
     polygonOffset: true,
     polygonOffsetFactor: 2,
     polygonOffsetUnits: 8,
   });
+}
 
-  begin(scene: Scene, _extent: SceneExtent): void {
-    drawTool(this.object, scene.tool.shapes, () => this.look, false);
+/** The tool where it is held: a ghost, fainter where something hides it, as the floor does that it is pressed into. */
+export class HeldLayer implements Layer {
+  readonly name = "held";
+  readonly label = "Tool as it is held";
+  readonly colour = colours.held;
+  readonly object = new Group();
+  private readonly open = new Group();
+  private readonly hidden = new Group();
+  private readonly look = ghostLook(0.42);
+  private readonly hiddenLook = ghostLook(0.14);
+  private radius = 1;
+
+  constructor() {
+    this.hiddenLook.depthFunc = GreaterDepth;
+    this.object.add(this.open, this.hidden);
+  }
+
+  begin(scene: Scene, extent: SceneExtent): void {
+    drawTool(this.open, scene.tool.shapes, () => this.look, false);
+    drawTool(this.hidden, scene.tool.shapes, () => this.hiddenLook, false);
+    this.radius = extent.toolRadius;
   }
 
   show(state: State): void {
     place(this.object, state.tool);
+    // Where it is at the solid tool, that one hides it, and shall look as it does.
+    this.hidden.visible = positionOf(state.tool).distanceTo(positionOf(state.proxy)) > apart * this.radius;
   }
 }
