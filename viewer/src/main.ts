@@ -49,7 +49,8 @@ class Page {
 
   constructor() {
     new MouseHand(this.hand, this.view, this.program);
-    for (const Part of [ConnectionBadge, Help, Notices, PlayPanel, SettingsPanel, TimeBar, Transport]) new Part(this.program);
+    const parts = [ConnectionBadge, Help, Notices, PlayPanel, SettingsPanel, TimeBar, Transport];
+    for (const Part of parts) new Part(this.program);
     this.connectControls();
     openTestPort(this.program, this.view, this.ages, () => this.frameRate.perSecond(performance.now()));
     this.program.connect();
