@@ -88,11 +88,6 @@ bool ViewerHub::full() const {
   return viewers_.size() >= static_cast<std::size_t>(options_.max_viewers);
 }
 
-bool ViewerHub::finished() const {
-  const std::lock_guard lock(mutex_);
-  return finished_;
-}
-
 std::optional<ViewerId> ViewerHub::enter() {
   const std::lock_guard lock(mutex_);
   if (finished_ || viewers_.size() >= static_cast<std::size_t>(options_.max_viewers)) return {};

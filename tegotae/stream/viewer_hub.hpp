@@ -31,8 +31,7 @@ class ViewerHub {
   /// Sends all that waits and `last` to every viewer, then closes; nobody joins any more. Only the first call counts.
   void finish(const SharedText& last);
   std::size_t count() const;
-  bool full() const;      ///< no more viewers are taken in
-  bool finished() const;  ///< finish() was called
+  bool full() const;  ///< no more viewers are taken in
   std::uint64_t callback_failures() const noexcept { return failures_.load(std::memory_order_relaxed); }
 
   /// Before any of the next group.
