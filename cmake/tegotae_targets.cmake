@@ -7,6 +7,10 @@ function(tegotae_compile_settings target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # g++ 12 reports false positives inside Eigen and the standard library at -O3.
     target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow)
+    if(TEGOTAE_SANITIZE MATCHES "thread")
+      # Boost.Asio's fences, which ThreadSanitizer does not know; what they order is locked as well.
+      target_compile_options(${target} PRIVATE -Wno-tsan)
+    endif()
   endif()
   if(TEGOTAE_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${TEGOTAE_SANITIZE} -fno-omit-frame-pointer

@@ -88,7 +88,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 
   // Closing the socket would not do: a read that finds a fault while a close waits for it waits for that close, without
   // end. Gone with the stream are both.
-  void cut() noexcept override {
+  void cut() override {
     const auto self = shared_from_this();
     close_begun_ = true;
     socket_.reset();
@@ -207,7 +207,7 @@ class FileConnection final : public Connection, public std::enable_shared_from_t
   }
 
   void wake() override {}
-  void cut() noexcept override { stream_.close(); }
+  void cut() override { stream_.close(); }
 
  private:
   void take_failure(error_code error) {

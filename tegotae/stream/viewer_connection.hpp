@@ -19,8 +19,8 @@ namespace tegotae {
 class Connection {
  public:
   virtual ~Connection() = default;
-  virtual void wake() = 0;          ///< something waits for the viewer
-  virtual void cut() noexcept = 0;  ///< closes the socket at once; the connection ends by itself soon after
+  virtual void wake() = 0;  ///< something waits for the viewer
+  virtual void cut() = 0;   ///< closes the socket at once; the connection ends by itself soon after
 };
 
 /// All connections that live. Of the server's thread alone.

@@ -173,13 +173,13 @@ ViewerServer::~ViewerServer() { stop(); }
 
 void ViewerServer::start(ViewerServerEvents events) { implementation_->start(std::move(events)); }
 
-void ViewerServer::publish(SharedText state) { implementation_->hub().publish(state); }
+void ViewerServer::publish(const SharedText& state) { implementation_->hub().publish(state); }
 
 void ViewerServer::send(ViewerId viewer, SharedText message) {
   implementation_->hub().send(viewer, std::move(message));
 }
 
-void ViewerServer::send_all(SharedText message) { implementation_->hub().send_all(message); }
+void ViewerServer::send_all(const SharedText& message) { implementation_->hub().send_all(message); }
 
 void ViewerServer::disconnect(ViewerId viewer, std::string reason) {
   implementation_->hub().close(viewer, CloseCode::kPolicy, std::move(reason));
@@ -193,6 +193,6 @@ std::uint16_t ViewerServer::port() const noexcept { return implementation_->port
 
 std::string ViewerServer::address() const { return implementation_->address(); }
 
-void ViewerServer::stop(SharedText last_message) { implementation_->stop(last_message); }
+void ViewerServer::stop(const SharedText& last_message) { implementation_->stop(last_message); }
 
 }  // namespace tegotae

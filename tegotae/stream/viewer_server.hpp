@@ -35,12 +35,12 @@ class ViewerServer {
   void start(ViewerServerEvents events);
 
   /// The newest state, to all viewers.
-  void publish(SharedText state);
+  void publish(const SharedText& state);
 
   /// To one viewer, in order and not left out. A viewer for which too much waits is disconnected (code 1008). One that
   /// has left is none to send to.
   void send(ViewerId viewer, SharedText message);
-  void send_all(SharedText message);
+  void send_all(const SharedText& message);
 
   /// Closes one viewer's connection with code 1008 and the reason (cut to 123 bytes); what waits for it is not sent.
   void disconnect(ViewerId viewer, std::string reason);
@@ -53,7 +53,7 @@ class ViewerServer {
   /// Takes nobody in any more, sends each viewer what waits and `last_message` (null: none), closes with code 1001
   /// (going away) and joins the thread: within `farewell_timeout`, after which what is left is cut. From a callback it
   /// returns at once and is finished by the destructor. Only the first call counts.
-  void stop(SharedText last_message = nullptr);
+  void stop(const SharedText& last_message = nullptr);
 
  private:
   class Implementation;
