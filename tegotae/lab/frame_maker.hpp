@@ -55,9 +55,9 @@ class FrameMaker {
   std::uint64_t frames_ = 0, ticks_ = 0, missed_ = 0;
   DurationHistogram durations_, physics_steps_;
   std::array<std::uint64_t, kBins> bins_{};
-  std::deque<ViewedSample> samples_;        ///< of the last 50 ms
-  std::deque<std::uint32_t> events_;        ///< of the same ticks
-  std::deque<double> last_second_;          ///< times of ticks
+  std::deque<ViewedSample> samples_;  ///< of the last 50 ms
+  std::deque<std::uint32_t> events_;  ///< of the same ticks
+  std::deque<double> last_second_;    ///< times of ticks
   std::deque<Steps> physics_last_second_;
 };
 
