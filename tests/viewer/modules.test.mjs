@@ -194,6 +194,64 @@ describe("hands", async () => {
   });
 });
 
+describe("what the hand tells the program", async () => {
+  const { Hand } = await bundled("hand/hand.ts");
+  const { Emitter } = await bundled("emitter.ts");
+  const pose = (x) => [x, 0, 0, 1, 0, 0, 0];
+
+  /** A program that keeps what it is told. */
+  function listening(state) {
+    const emitters = { connectionStates: new Emitter(), scenes: new Emitter(), states: new Emitter() };
+    const program = { ...emitters, sent: [], notices: [], viewer: 1, isLive: true, scene: null, state };
+    program.send = (message) => program.sent.push(message);
+    program.notice = (_level, text) => program.notices.push(text);
+    return program;
+  }
+
+  test("it begins at the target, sends the last pose and lets go", () => {
+    const program = listening({ target: pose(1), hand: null, motion: null });
+    const hand = new Hand(program);
+    hand.move(() => pose(9));
+    assert.deepEqual(program.sent, [], "who holds nothing moves nothing");
+    assert.ok(hand.take("mouse"));
+    for (let i = 0; i < 20; ++i) hand.move(([x]) => pose(x + 1));
+    assert.ok(program.sent.length <= 2, "not faster than 60 messages a second");
+    hand.release("mouse");
+    assert.deepEqual(program.sent.slice(-2), [{ type: "hand", pose: pose(21) }, { type: "release" }]);
+  });
+
+  test("it says that it is still there, until the last holder has let go", () => {
+    const program = listening({ target: pose(1), hand: 1, motion: null });
+    const hand = new Hand(program);
+    hand.take("mouse");
+    hand.take("keys");
+    const now = performance.now();
+    for (let ms = 0; ms <= 1000; ms += 10) hand.sendDue(now + ms);
+    assert.ok(program.sent.length >= 3 && program.sent.length <= 6, `${program.sent.length} messages in a second`);
+    hand.release("mouse");
+    assert.ok(hand.isHolding);
+    hand.release("keys");
+    assert.equal(program.sent.pop().type, "release");
+  });
+
+  test("it leaves the tool to what moves it, and says so", () => {
+    for (const state of [{ target: null, hand: null, motion: "press" }, { target: pose(0), hand: 2, motion: null }]) {
+      const program = listening(state);
+      assert.equal(new Hand(program).take("mouse"), false);
+      assert.match(program.notices[0], state.motion ? /press/ : /Viewer 2/);
+    }
+  });
+
+  test("it lets go without a word when another one has taken over", () => {
+    const program = listening({ target: pose(0), hand: null, motion: null });
+    const hand = new Hand(program);
+    hand.take("mouse");
+    program.states.emit({ hand: 3 });
+    assert.ok(!hand.isHolding);
+    assert.deepEqual(program.sent, []);
+  });
+});
+
 describe("protocol", async () => {
   const { parse } = await bundled("protocol.ts");
   const { socketAddress } = await bundled("connection.ts");

@@ -14,6 +14,7 @@ export class SettingRow {
   private readonly own = make("input", { type: "checkbox" });
   private scale: SliderScale;
   private timer = 0;
+  private isTyping = false;
 
   constructor(private setting: Setting, private readonly send: (value: number | null) => void) {
     this.scale = new SliderScale(setting);
@@ -29,13 +30,14 @@ export class SettingRow {
     this.setting = setting;
     const isBeyond = setting.value !== null && setting.value > this.scale.most;
     if (isNewRange || isBeyond) this.scale = new SliderScale(setting);
-    if (this.timer === 0) this.restore();
+    if (this.timer === 0 && !this.isTyping) this.restore();
   }
 
   /** Shows what is in force again, whatever has been typed. */
   restore(): void {
     window.clearTimeout(this.timer);
     this.timer = 0;
+    this.isTyping = false;
     const { value, available } = this.setting;
     this.root.classList.toggle("unavailable", !available);
     for (const control of [this.number, this.slider, this.toggle, this.own]) control.disabled = !available;
@@ -46,7 +48,7 @@ export class SettingRow {
       this.number.placeholder = "own";
       return;
     }
-    if (document.activeElement !== this.slider) this.slider.value = String(this.scale.positionOf(value));
+    if (!this.slider.matches(":active")) this.slider.value = String(this.scale.positionOf(value));
     if (Number(this.number.value) !== value || this.number.value === "") {
       this.number.value = String(Number(value.toPrecision(4)));
     }
@@ -86,11 +88,13 @@ export class SettingRow {
       this.sendSoon(value);
     });
     this.number.addEventListener("input", () => {
+      this.isTyping = true;
       const value = this.number.valueAsNumber;
       this.number.setAttribute("aria-invalid", String(!Number.isFinite(value)));
       if (Number.isFinite(value)) this.slider.value = String(this.scale.positionOf(value));
     });
     this.number.addEventListener("change", () => {
+      this.isTyping = false;
       if (Number.isFinite(this.number.valueAsNumber)) this.sendSoon(this.number.valueAsNumber);
       else this.restore();
     });
