@@ -2,10 +2,15 @@
 import { Emitter } from "./emitter";
 import { parse, type FromPage, type FromProgram } from "./protocol";
 
-export type ConnectionState = { kind: "connecting" } | { kind: "live" } | { kind: "stopped"; text: string };
+/** How the connection is; one that has stopped may have been refused to this page alone, while the program goes on. */
+export type ConnectionState =
+  | { kind: "connecting" }
+  | { kind: "live" }
+  | { kind: "stopped"; text: string; refused: boolean };
 
 const firstPause = 500; // ms before the first new attempt; each next one waits twice as long
 const longestPause = 8000; // ms
+const refusals = [1003, 1007, 1008, 1009]; // close codes that tell of this page, not of the program
 
 /** The WebSocket to the program: it comes back by itself after a loss. */
 export class Connection {
@@ -20,7 +25,7 @@ export class Connection {
   open(): void {
     this.socket = new WebSocket(this.url);
     this.socket.onmessage = (event) => this.receive(String(event.data));
-    this.socket.onclose = () => this.lost();
+    this.socket.onclose = (event) => this.lost(event);
   }
 
   /** Sends, or does nothing while there is no connection. */
@@ -40,9 +45,9 @@ export class Connection {
     this.messages.emit(message);
   }
 
-  private lost(): void {
+  private lost({ code, reason }: CloseEvent): void {
     this.socket = null;
-    this.states.emit({ kind: "stopped", text: this.ended });
+    this.states.emit({ kind: "stopped", text: this.ended || reason, refused: refusals.includes(code) });
     window.setTimeout(() => this.open(), this.pause);
     this.pause = Math.min(2 * this.pause, longestPause);
   }

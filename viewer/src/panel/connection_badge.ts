@@ -10,8 +10,9 @@ export class ConnectionBadge {
       document.body.dataset.connection = state.kind;
       setText(box("connection"), { connecting: "connecting", live: "live", stopped: "stopped" }[state.kind]);
       lost.hidden = state.kind !== "stopped";
-      const why = state.kind === "stopped" ? state.text : "";
-      setText(box("lost-text"), why === "" ? "It cannot be reached." : why);
+      if (state.kind !== "stopped") return;
+      setText(box("lost-title"), state.refused ? "The program closed the connection." : "The program has stopped.");
+      setText(box("lost-text"), state.text === "" ? "It cannot be reached." : state.text);
     });
     program.scenes.listen(({ name, mode, program: version, interface: device }) => {
       setText(box("scene-name"), name);
