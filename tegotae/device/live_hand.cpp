@@ -17,7 +17,7 @@ LiveHand::LiveHand(const Pose& start, const SimulatedDevice& device, const HandI
     : LiveHand(std::make_unique<GuidedMotion>(first_pose(start, exact)), device, hand, std::move(exact)) {}
 
 LiveHand::LiveHand(std::unique_ptr<GuidedMotion> guide, const SimulatedDevice& device, const HandImpedance& hand,
-                   std::optional<Trajectory> exact)
+                   std::optional<Trajectory>&& exact)
     : guide_(guide.get()), hand_(std::move(guide), device, hand), exactly_(exact.has_value()) {
   if (exact) playback_.emplace(std::move(*exact), device.capability);
 }

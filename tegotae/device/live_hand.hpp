@@ -33,7 +33,7 @@ class LiveHand final : public HapticInterface {
 
  private:
   LiveHand(std::unique_ptr<GuidedMotion> guide, const SimulatedDevice& device, const HandImpedance& hand,
-           std::optional<Trajectory> exact);
+           std::optional<Trajectory>&& exact);
 
   GuidedMotion* guide_;  ///< of hand_
   SimulatedHandInterface hand_;

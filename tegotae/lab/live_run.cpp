@@ -145,6 +145,13 @@ const MovingBodies& LiveRun::bodies() {
   return link_.bodies.get();
 }
 
+std::vector<std::string> LiveRun::notes() const {
+  std::vector<std::string> lines = notes_of(settings_, geometry().tool);
+  lines.insert(lines.begin(),
+               fmt::format("{}: {}", scene_.experiment != nullptr ? "experiment" : "scene", scene_.name));
+  return lines;
+}
+
 std::string LiveRun::trouble() const { return trouble_of(world_->diagnostics()); }
 
 }  // namespace tegotae

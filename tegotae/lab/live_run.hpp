@@ -71,6 +71,9 @@ class LiveRun {
   const LiveScene& scene() const noexcept { return scene_; }
   const MujocoWorld& world() const noexcept { return *world_; }
   const SceneGeometry& geometry() const { return world_->geometry(); }
+  InterfaceCapability interface() const { return hand_.capability(); }
+  /// What identifies the run, a line each, for the head of files.
+  std::vector<std::string> notes() const;
   const SessionSettings& settings() const noexcept { return settings_; }
   const SettingsRequest& request() const noexcept { return request_; }
   const std::vector<std::string>& warnings() const noexcept { return warnings_; }

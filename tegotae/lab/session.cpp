@@ -105,13 +105,7 @@ const MovingBodies& Session::bodies() {
 
 std::string Session::trouble() const { return trouble_of(world_->diagnostics()); }
 
-std::vector<std::string> Session::notes() const {
-  std::vector<std::string> lines = settings_.lines();
-  const Vector3& p_TCm = tool().mass.centre_of_mass;
-  lines.push_back(fmt::format("tool: {}", tool().name));
-  lines.push_back(fmt::format("centre of mass in the tool's frame: {} {} {} m", p_TCm.x(), p_TCm.y(), p_TCm.z()));
-  return lines;
-}
+std::vector<std::string> Session::notes() const { return notes_of(settings_, tool()); }
 
 SafetyLimits safety_limits_of(const SessionSettings& settings, const InterfaceCapability& interface, const Tool& tool) {
   StrikeAllowance strike;
@@ -127,6 +121,14 @@ SessionSettings held_to_rating(SessionSettings settings, const InterfaceCapabili
   const double longest = std::sqrt(interface.max_rotational_stiffness / settings.stiffness);
   settings.metric_length = std::min(settings.metric_length, longest);
   return settings;
+}
+
+std::vector<std::string> notes_of(const SessionSettings& settings, const Tool& tool) {
+  std::vector<std::string> lines = settings.lines();
+  const Vector3& p_TCm = tool.mass.centre_of_mass;
+  lines.push_back(fmt::format("tool: {}", tool.name));
+  lines.push_back(fmt::format("centre of mass in the tool's frame: {} {} {} m", p_TCm.x(), p_TCm.y(), p_TCm.z()));
+  return lines;
 }
 
 std::string trouble_of(const WorldDiagnostics& found) {

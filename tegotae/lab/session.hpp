@@ -75,6 +75,9 @@ SafetyLimits safety_limits_of(const SessionSettings& settings, const InterfaceCa
 /// The settings with stiffness, and then metric length, no greater than the interface is rated for.
 SessionSettings held_to_rating(SessionSettings settings, const InterfaceCapability& interface);
 
+/// What identifies a session, a line each, for the head of files.
+std::vector<std::string> notes_of(const SessionSettings& settings, const Tool& tool);
+
 /// What went wrong in a world, a sentence; empty: nothing.
 std::string trouble_of(const WorldDiagnostics& found);
 

@@ -2,6 +2,7 @@
 #include <tegotae/math/rotation.hpp>
 #include <tegotae/runtime/haptic_tick.hpp>
 #include <tegotae/runtime/latest_value.hpp>
+#include <tegotae/runtime/mailbox.hpp>
 #include <tegotae/runtime/physics_loop.hpp>
 #include <tegotae/runtime/spsc_ring.hpp>
 #include <tegotae/runtime/statistics.hpp>
@@ -32,6 +33,7 @@ class BusyTick {
       : world_(scene()), physics_(world_, {0.05, 0.01}, needs_of(make_method(method, {}, world_.geometry()))) {
     const Tool& tool = world_.geometry().tool;
     haptics_ = std::make_unique<HapticTick>(make_method(method, {}, world_.geometry()), tool, SafetyLimits{}, 1e-3);
+    updates_->give({std::make_unique<RenderingMethod>(make_method(method, {}, world_.geometry())), SafetyLimits{}});
     for (int i = 0; i < 3; ++i) physics_.build(0.0, {pose(0.1 * i), {}}, models_[i]);
   }
 
@@ -44,8 +46,14 @@ class BusyTick {
         slot_->begin_write() = models_[i / 20 % 3];
         slot_->publish();
       }
+      if (auto* const update = updates_->take()) {
+        haptics_->adopt(update->content);
+        updates_->give_back(update);
+      }
       TickRecord record;
       (*haptics_)(state, slot_->update() ? &slot_->get() : nullptr, {}, record);
+      haptics_->view(views_->begin_write());
+      views_->publish();
       haptics_->fill(messages_->begin_write(), physics_.body_count());
       messages_->publish();
       statistics_.add(1e-6, record.model_age);
@@ -77,6 +85,8 @@ class BusyTick {
   std::array<IntermediateRepresentation, 3> models_;
   std::unique_ptr<LatestValue<IntermediateRepresentation>> slot_ =
       std::make_unique<LatestValue<IntermediateRepresentation>>();
+  std::unique_ptr<Mailbox<HapticUpdate>> updates_ = std::make_unique<Mailbox<HapticUpdate>>();
+  std::unique_ptr<LatestValue<ContactView>> views_ = std::make_unique<LatestValue<ContactView>>();
   std::unique_ptr<LatestValue<ImpulseSums>> messages_ = std::make_unique<LatestValue<ImpulseSums>>();
   SpscRing<TickRecord> ring_{64};
   TickStatistics statistics_;

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <apps/serving_options.hpp>
+#include <apps/validators.hpp>
+#include <tegotae/lab/child_process.hpp>
+#include <tegotae/stream/random_token.hpp>
+#include <tegotae/stream/web_page.hpp>
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <thread>
+
+namespace tegotae {
+namespace {
+
+bool is_loopback(const std::string& host) { return host == "localhost" || host == "::1" || host.starts_with("127."); }
+
+}  // namespace
+
+void ServingOptions::add(CLI::App& command) {
+  command.add_option("--port", port, "Port to serve the page on; 0: any that is free; default: 8700")->type_name("N");
+  command
+      .add_option("--host", host,
+                  "Name or address of this machine to serve on, 0.0.0.0 for all; beyond this machine a token is asked "
+                  "for, which the printed address holds; default: 127.0.0.1")
+      ->type_name("HOST")
+      ->check(not_empty("a name or an address"));
+  command.add_flag("--open", open, "Open the page in the browser");
+}
+
+ViewerServerOptions ServingOptions::server_options() const {
+  ViewerServerOptions options;
+  options.host = host;
+  options.port = port;
+  if (!is_loopback(host)) options.token = random_token();
+  options.assets.assign(web_page().begin(), web_page().end());
+  return options;
+}
+
+void ServingOptions::announce(const ViewerServer& server, const std::string& what) const {
+  fmt::print("tegotae: {} at {} (Ctrl-C ends)\n", what, server.address());
+  std::fflush(stdout);
+  if (!open) return;
+  // Some openers wait for the browser to end.
+  std::thread([address = server.address()] {
+    if (!run_child({"xdg-open", address}, ".").not_found) return;
+    fmt::print(stderr, "tegotae: warning: there is no xdg-open to open a browser with; open {} yourself.\n", address);
+  }).detach();
+}
+
+}  // namespace tegotae

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/experiment.hpp>
+#include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/live_messages.hpp>
+#include <tegotae/lab/live_session.hpp>
+#include <tegotae/lab/scripted_motion.hpp>
+#include <tegotae/stream/scene_message.hpp>
+#include <tegotae/world/scene_error.hpp>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <exception>
+#include <utility>
+
+namespace tegotae {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::chrono::microseconds kStatePeriod{16'667};
+constexpr milliseconds kHistogramPeriod{500};
+constexpr milliseconds kHandSilence{1000};  // after which another may take the tool
+
+SharedText shared(std::string text) { return std::make_shared<const std::string>(std::move(text)); }
+
+}  // namespace
+
+LiveSession::LiveSession(LiveSessionOptions options, ViewerOutput output, Log log)
+    : options_(std::move(options)), output_(std::move(output)), log_(std::move(log)) {
+  begin(options_.scene, options_.settings);
+}
+
+LiveSession::~LiveSession() = default;
+
+void LiveSession::run(const std::atomic<bool>& stop) {
+  if (options_.file) start_recording(*options_.file);
+  const auto observer = [this](const TickRecord& record) {
+    frames_->add(record);
+    has_ticks_ = true;
+    newest_time_ = record.time;
+    if (recording_) recording_->write(record);
+    return true;
+  };
+  while (!stop) {
+    finish_run(run_->run(stop, observer, [this] { pass(); }));
+    if (stop || !next_scene_) continue;
+    const LiveScene scene = *std::exchange(next_scene_, std::nullopt);
+    try {
+      begin(scene, next_settings_);
+    } catch (const std::exception& error) {
+      tell(NoticeLevel::kError, error.what());
+      begin(run_->scene(), run_->request());
+    }
+  }
+  stop_recording();
+}
+
+// The scene that has run until now stays until the new one stands.
+void LiveSession::begin(const LiveScene& scene, const SettingsRequest& wanted) {
+  auto run = std::make_unique<LiveRun>(scene, wanted);
+  run_ = std::move(run);
+  frames_ = std::make_unique<FrameMaker>(run_->settings(), run_->geometry().tool.mass.centre_of_mass);
+  has_ticks_ = false;
+  motion_.reset();
+  if (scene.experiment != nullptr) motion_ = scene.experiment->name;
+  output_.send_all(shared(scene_message()));
+  output_.send_all(shared(settings_message()));
+  for (const std::string& warning : run_->warnings()) tell(NoticeLevel::kWarning, warning);
+}
+
+void LiveSession::finish_run(const RealtimeReport& report) {
+  if (recording_ && next_scene_) {
+    tell(NoticeLevel::kInfo, "the recording ended with the scene.");
+    stop_recording();
+  }
+  if (!run_->trouble().empty()) tell(NoticeLevel::kWarning, run_->trouble());
+  if (report.physics_error.empty()) return;
+  tell(NoticeLevel::kError, fmt::format("the physics failed, and the scene starts anew: {}", report.physics_error));
+  if (!next_scene_) choose(run_->scene(), run_->request());
+}
+
+void LiveSession::choose(const LiveScene& scene, const SettingsRequest& wanted) {
+  next_scene_ = scene;
+  next_settings_ = wanted;
+  run_->end();
+}
+
+void LiveSession::pass() {
+  take_messages();
+  release_silent_hand();
+  if (motion_ && !run_->is_playing()) motion_.reset();
+  watch_recording();
+  const Clock::time_point now = Clock::now();
+  if (now < next_state_ || !has_ticks_) return;
+  next_state_ = std::max(next_state_ + kStatePeriod, now);
+  show();
+}
+
+void LiveSession::take_messages() {
+  for (const LiveInbox::Event& event : inbox_.take()) handle(event);
+}
+
+void LiveSession::handle(const LiveInbox::Event& event) {
+  if (std::holds_alternative<LiveInbox::Joined>(event.what)) greet(event.viewer);
+  if (std::holds_alternative<LiveInbox::Left>(event.what) && hand_ == event.viewer) hand_.reset();
+  if (const auto* refused = std::get_if<LiveInbox::Refused>(&event.what)) refuse(event.viewer, refused->why);
+  const auto* command = std::get_if<ViewerCommand>(&event.what);
+  if (command == nullptr) return;
+  try {
+    obey(event.viewer, *command);
+  } catch (const InputError& error) {
+    refuse(event.viewer, error.what());
+    // The page shows what holds, not what was refused.
+    output_.send(event.viewer, shared(settings_message()));
+  }
+}
+
+// One function a command. Each throws InputError where it cannot be obeyed, and then nothing has changed.
+struct LiveSession::Handler {
+  LiveSession& session;
+  ViewerId viewer;
+
+  LiveRun& run() const { return *session.run_; }
+
+  void operator()(const viewer_command::Hand& hand) const {
+    if (session.hand_ && session.hand_ != viewer) return;
+    session.hand_ = viewer;
+    session.hand_heard_ = Clock::now();
+    session.motion_.reset();
+    run().guide(hand.X_WT);
+  }
+  void operator()(const viewer_command::Release&) const {
+    if (session.hand_ == viewer) session.hand_.reset();
+  }
+  void operator()(const viewer_command::Set& set) const {
+    run().set(set.name, set.value);
+    session.settings_changed();
+  }
+  void operator()(const viewer_command::Method& method) const {
+    run().set_method(method.name);
+    session.settings_changed();
+  }
+  void operator()(const viewer_command::Pause&) const { run().pause(true); }
+  void operator()(const viewer_command::Resume&) const { run().pause(false); }
+  void operator()(const viewer_command::Step&) const {
+    if (!run().is_paused()) throw InputError("only a session that is paused can be stepped.");
+    run().step();
+  }
+  void operator()(const viewer_command::Reset&) const { session.choose(run().scene(), run().request()); }
+  void operator()(const viewer_command::Motion& motion) const {
+    run().play(find_scripted_motion(motion.name).motion(up_axis(run().world().gravity())));
+    session.motion_ = motion.name;
+  }
+  void operator()(const viewer_command::Stop&) const { run().stop_motion(); }
+  void operator()(const viewer_command::SceneChoice& choice) const {
+    session.choose(find_live_scene(session.options_.scenes, choice.name), kept());
+  }
+  void operator()(const viewer_command::ExperimentChoice& choice) const {
+    session.choose(live_scene_of(find_experiment(choice.name)), kept());
+  }
+  void operator()(const viewer_command::Record& record) const {
+    if (!record.on) return session.stop_recording();
+    if (!session.recording_) session.start_recording(session.options_.recordings / name_of_recording());
+  }
+  void operator()(const viewer_command::Seek&) const { refuse_replay(); }
+  void operator()(const viewer_command::Play&) const { refuse_replay(); }
+
+  // The command line's settings hold for every scene, and so does the method that was chosen last.
+  SettingsRequest kept() const {
+    SettingsRequest wanted = session.options_.settings;
+    wanted.method = run().request().method;
+    return wanted;
+  }
+  [[noreturn]] static void refuse_replay() {
+    throw InputError("only a replay has a time to go to; open a recording with 'tegotae replay FILE'.");
+  }
+  static std::string name_of_recording() {
+    return fmt::format("tegotae-{:%Y%m%d-%H%M%S}.mcap", fmt::localtime(std::time(nullptr)));
+  }
+};
+
+void LiveSession::obey(ViewerId viewer, const ViewerCommand& command) { std::visit(Handler{*this, viewer}, command); }
+
+void LiveSession::release_silent_hand() {
+  if (hand_ && Clock::now() - hand_heard_ > kHandSilence) hand_.reset();
+}
+
+void LiveSession::show() {
+  ViewFrame frame = frames_->frame(run_->contacts(), run_->bodies());
+  if (!run_->is_playing_exactly()) frame.target = run_->intended();
+  frame.paused = run_->is_paused();
+  frame.motion = motion_;
+  frame.hand = hand_;
+  frame.viewers = static_cast<int>(output_.viewer_count());
+  if (recording_) frame.recording = {recording_path_.string(), recording_->ticks()};
+  const Clock::time_point now = Clock::now();
+  if (now >= next_histogram_) {
+    next_histogram_ = now + kHistogramPeriod;
+    frame.histogram = frames_->histogram();
+  }
+  const SharedText message = shared(encode(frame));
+  output_.publish(message);
+  if (recording_ && !frame.paused) recording_->write_state(frame.time, *message);
+}
+
+void LiveSession::greet(ViewerId viewer) {
+  output_.send(viewer, shared(encode_welcome(viewer)));
+  output_.send(viewer, shared(scene_message()));
+  output_.send(viewer, shared(settings_message()));
+  for (const std::string& warning : run_->warnings()) {
+    output_.send(viewer, shared(encode_notice(NoticeLevel::kWarning, warning)));
+  }
+}
+
+void LiveSession::tell(NoticeLevel level, const std::string& text) {
+  output_.send_all(shared(encode_notice(level, text)));
+  log_(level, text);
+}
+
+void LiveSession::refuse(ViewerId viewer, const std::string& why) {
+  output_.send(viewer, shared(encode_notice(NoticeLevel::kError, why)));
+}
+
+std::string LiveSession::scene_message() const { return live_scene_message(*run_, options_.scenes); }
+std::string LiveSession::settings_message() const { return live_settings_message(*run_); }
+
+void LiveSession::settings_changed() {
+  frames_->change(run_->settings());
+  const std::string message = settings_message();
+  output_.send_all(shared(message));
+  if (recording_) recording_->write_settings(newest_time_, message);
+}
+
+void LiveSession::start_recording(const std::filesystem::path& file) {
+  recording_path_ = file;
+  recording_ = std::make_unique<RecordingFile>(file, run_->notes(), 0.0);
+  recording_->write_scene(newest_time_, scene_message());
+  recording_->write_settings(newest_time_, settings_message());
+  watch_recording();
+  if (recording_) tell(NoticeLevel::kInfo, fmt::format("recording to {}.", file.string()));
+}
+
+void LiveSession::stop_recording() {
+  if (!recording_) return;
+  recording_->close();
+  if (recording_->ok()) {
+    tell(NoticeLevel::kInfo, fmt::format("{} ticks recorded in {}.", recording_->ticks(), recording_path_.string()));
+  } else {
+    tell(NoticeLevel::kError, recording_->error());
+  }
+  recording_.reset();
+}
+
+// A disk that is full ends the recording, and nothing else.
+void LiveSession::watch_recording() {
+  if (recording_ && !recording_->ok()) stop_recording();
+}
+
+}  // namespace tegotae

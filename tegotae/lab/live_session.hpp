@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/lab/frame_maker.hpp>
+#include <tegotae/lab/live_inbox.hpp>
+#include <tegotae/lab/live_run.hpp>
+#include <tegotae/lab/recording_file.hpp>
+#include <tegotae/stream/short_messages.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tegotae {
+
+/// Where a live session sends what it shows: the functions of a ViewerServer.
+struct ViewerOutput {
+  std::function<void(SharedText)> publish;         ///< the newest state, which the next one replaces
+  std::function<void(ViewerId, SharedText)> send;  ///< to one, in order
+  std::function<void(SharedText)> send_all;
+  std::function<std::size_t()> viewer_count;
+  std::function<void(ViewerId, std::string)> disconnect;
+};
+
+struct LiveSessionOptions {
+  LiveScene scene;
+  std::vector<LiveScene> scenes;              ///< others that a page may ask for
+  SettingsRequest settings;                   ///< these win over those of every scene
+  std::filesystem::path recordings = ".";     ///< folder of the recordings that a page starts
+  std::optional<std::filesystem::path> file;  ///< a recording from the beginning
+};
+
+/// A scene in real time for the pages that look at it: it makes what they ask for, and shows them what came of it. Runs
+/// one scene after another, as they choose; a fault in one ends neither the session nor a viewer's connection.
+class LiveSession {
+ public:
+  using Log = std::function<void(NoticeLevel, const std::string&)>;
+
+  /// `log` gets the sentences that go to all viewers, for the terminal. Throws InputError, SceneError where the first
+  /// scene cannot be run.
+  LiveSession(LiveSessionOptions options, ViewerOutput output, Log log);
+  ~LiveSession();
+
+  /// What the server is told. Any thread.
+  LiveInbox& inbox() noexcept { return inbox_; }
+
+  /// Name of the scene that runs.
+  const std::string& scene_name() const noexcept { return run_->scene().name; }
+
+  /// Runs until `stop` becomes true. The recording is whole when it returns.
+  void run(const std::atomic<bool>& stop);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Handler;
+
+  // Runs of scenes.
+  void begin(const LiveScene& scene, const SettingsRequest& wanted);
+  void finish_run(const RealtimeReport& report);
+  void choose(const LiveScene& scene, const SettingsRequest& wanted);
+
+  // Called while a scene runs.
+  void pass();
+  void take_messages();
+  void handle(const LiveInbox::Event& event);
+  void obey(ViewerId viewer, const ViewerCommand& command);
+  void release_silent_hand();
+  void show();
+
+  void greet(ViewerId viewer);
+  void tell(NoticeLevel level, const std::string& text);
+  void refuse(ViewerId viewer, const std::string& why);
+  std::string scene_message() const;
+  std::string settings_message() const;
+  void settings_changed();
+
+  void start_recording(const std::filesystem::path& file);
+  void stop_recording();
+  void watch_recording();
+
+  LiveSessionOptions options_;
+  ViewerOutput output_;
+  Log log_;
+  LiveInbox inbox_;
+
+  std::unique_ptr<LiveRun> run_;
+  std::unique_ptr<FrameMaker> frames_;
+  bool has_ticks_ = false;
+  std::optional<LiveScene> next_scene_;
+  SettingsRequest next_settings_;
+
+  Clock::time_point next_state_{}, next_histogram_{};
+  std::optional<ViewerId> hand_;
+  Clock::time_point hand_heard_{};
+  std::optional<std::string> motion_;
+  std::unique_ptr<RecordingFile> recording_;
+  std::filesystem::path recording_path_;
+  double newest_time_ = 0.0;  ///< s, of the run
+};
+
+}  // namespace tegotae
