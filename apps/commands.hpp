@@ -16,6 +16,7 @@ struct UsageError : std::runtime_error {
 // What it does throws UsageError, or another std::exception whose `what()` is one sentence.
 
 void add_experiment_command(CLI::App& program);
+void add_serve_command(CLI::App& program);
 void add_render_command(CLI::App& program);
 void add_methods_command(CLI::App& program);
 void add_split_command(CLI::App& program);

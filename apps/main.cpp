@@ -48,6 +48,7 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "tegotae " TEGOTAE_VERSION);
   program.require_subcommand(1);
   tegotae::add_experiment_command(program);
+  tegotae::add_serve_command(program);
   tegotae::add_render_command(program);
   tegotae::add_methods_command(program);
   tegotae::add_split_command(program);
