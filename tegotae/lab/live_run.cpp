@@ -73,9 +73,13 @@ SessionSettings LiveRun::decide(const SettingsRequest& request) const {
 RealtimeReport LiveRun::run(const std::atomic<bool>& stop, const RealtimeObserver& observer,
                             std::function<void()> on_pass) {
   constexpr double kWithoutEnd = 1e9;  // s
-  link_.on_pass = std::move(on_pass);
-  const auto until_ended = [&](const TickRecord& record) { return observer(record) && !ended_; };
-  return run_realtime(physics_, haptics_, hand_, 1.0 / settings_.haptic_rate, kWithoutEnd, stop, until_ended, &link_);
+  // Looked at in each pass: a run that is paused has no ticks to end by.
+  std::atomic<bool> ending{false};
+  link_.on_pass = [&, pass = std::move(on_pass)] {
+    pass();
+    ending = ended_ || stop;
+  };
+  return run_realtime(physics_, haptics_, hand_, 1.0 / settings_.haptic_rate, kWithoutEnd, ending, observer, &link_);
 }
 
 void LiveRun::set(std::string_view name, std::optional<double> value) {

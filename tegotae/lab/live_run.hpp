@@ -96,7 +96,7 @@ class LiveRun {
   PhysicsLoop physics_;
   HapticTick haptics_;
   LiveLink link_;
-  std::atomic<bool> ended_{false};
+  bool ended_ = false;
 };
 
 }  // namespace tegotae

@@ -37,13 +37,13 @@ TEST(LiveInbox, GivesAllOnceInItsOrder) {
 
 TEST(LiveInbox, OfAHandsPosesOnlyTheNewestWaits) {
   LiveInbox inbox;
-  for (int i = 0; i < 1000; ++i) inbox.received(1, hand_at(i));
+  for (int i = 0; i < 1000; ++i) inbox.received(1, hand_at(0.01 * i));
   inbox.received(2, hand_at(7.0));
   inbox.received(1, R"({"type": "release"})");
   const auto events = inbox.take();
   ASSERT_EQ(events.size(), 3u);
   ASSERT_NE(hand_of(events[0]), nullptr);
-  EXPECT_EQ(hand_of(events[0])->X_WT.p.x(), 999.0);
+  EXPECT_DOUBLE_EQ(hand_of(events[0])->X_WT.p.x(), 9.99);
   ASSERT_NE(hand_of(events[1]), nullptr);
   EXPECT_EQ(events[1].viewer, 2u);
 }
