@@ -9,9 +9,7 @@
 namespace tegotae {
 namespace {
 
-std::string hand_at(double x) {
-  return R"({"type": "hand", "pose": [)" + std::to_string(x) + ", 0, 0, 1, 0, 0, 0]}";
-}
+std::string hand_at(double x) { return R"({"type": "hand", "pose": [)" + std::to_string(x) + ", 0, 0, 1, 0, 0, 0]}"; }
 
 const viewer_command::Hand* hand_of(const LiveInbox::Event& event) {
   const auto* command = std::get_if<ViewerCommand>(&event.what);
