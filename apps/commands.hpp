@@ -23,5 +23,6 @@ void add_split_command(CLI::App& program);
 void add_stability_command(CLI::App& program);
 void add_compare_command(CLI::App& program);
 void add_export_command(CLI::App& program);
+void add_replay_command(CLI::App& program);
 
 }  // namespace tegotae

@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
   tegotae::add_stability_command(program);
   tegotae::add_compare_command(program);
   tegotae::add_export_command(program);
+  tegotae::add_replay_command(program);
   try {
     refuse_unknown_command(program, argc, argv);
     program.parse(argc, argv);

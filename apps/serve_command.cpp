@@ -46,13 +46,6 @@ LiveSessionOptions session_options(const ServeOptions& options) {
   return session;
 }
 
-ViewerOutput output_to(ViewerServer& server) {
-  return {[&](SharedText state) { server.publish(std::move(state)); },
-          [&](ViewerId viewer, SharedText message) { server.send(viewer, std::move(message)); },
-          [&](SharedText message) { server.send_all(std::move(message)); }, [&] { return server.viewer_count(); },
-          [&](ViewerId viewer, std::string reason) { server.disconnect(viewer, std::move(reason)); }};
-}
-
 void log(NoticeLevel level, const std::string& text) {
   if (level == NoticeLevel::kInfo) {
     fmt::print("tegotae: {}\n", text);

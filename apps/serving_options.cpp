@@ -9,6 +9,7 @@
 
 #include <cstdio>
 #include <thread>
+#include <utility>
 
 namespace tegotae {
 namespace {
@@ -16,6 +17,13 @@ namespace {
 bool is_loopback(const std::string& host) { return host == "localhost" || host == "::1" || host.starts_with("127."); }
 
 }  // namespace
+
+ViewerOutput output_to(ViewerServer& server) {
+  return {[&](SharedText state) { server.publish(std::move(state)); },
+          [&](ViewerId viewer, SharedText message) { server.send(viewer, std::move(message)); },
+          [&](SharedText message) { server.send_all(std::move(message)); }, [&] { return server.viewer_count(); },
+          [&](ViewerId viewer, std::string reason) { server.disconnect(viewer, std::move(reason)); }};
+}
 
 void ServingOptions::add(CLI::App& command) {
   command.add_option("--port", port, "Port to serve the page on; 0: any that is free; default: 8700")->type_name("N");

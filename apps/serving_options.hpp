@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tegotae/lab/viewer_output.hpp>
 #include <tegotae/stream/viewer_server.hpp>
 
 #include <CLI/CLI.hpp>
@@ -24,5 +25,8 @@ struct ServingOptions {
   /// Says where `what` is to be seen, and opens a browser there where that is asked for.
   void announce(const ViewerServer& server, const std::string& what) const;
 };
+
+/// The functions of a server, for a session. The server must outlive them.
+ViewerOutput output_to(ViewerServer& server);
 
 }  // namespace tegotae

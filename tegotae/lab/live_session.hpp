@@ -5,6 +5,7 @@
 #include <tegotae/lab/live_inbox.hpp>
 #include <tegotae/lab/live_run.hpp>
 #include <tegotae/lab/recording_file.hpp>
+#include <tegotae/lab/viewer_output.hpp>
 #include <tegotae/stream/short_messages.hpp>
 
 #include <atomic>
@@ -18,15 +19,6 @@
 #include <vector>
 
 namespace tegotae {
-
-/// Where a live session sends what it shows: the functions of a ViewerServer.
-struct ViewerOutput {
-  std::function<void(SharedText)> publish;         ///< the newest state, which the next one replaces
-  std::function<void(ViewerId, SharedText)> send;  ///< to one, in order
-  std::function<void(SharedText)> send_all;
-  std::function<std::size_t()> viewer_count;
-  std::function<void(ViewerId, std::string)> disconnect;
-};
 
 struct LiveSessionOptions {
   LiveScene scene;

@@ -39,8 +39,8 @@ std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::er
 ReplaySession::ReplaySession(const std::filesystem::path& file) : file_(file.string()), states_(file) {}
 
 std::string ReplaySession::scene_message() {
-  told_scene_ = states_.scene_at(state());
-  Json scene = parsed(states_.scene(std::max(told_scene_, 0)), file_);
+  // A state that stands before the first scene has that one.
+  Json scene = parsed(states_.scene(std::max(scene_number(), 0)), file_);
   scene["mode"] = "replay";
   scene["duration"] = to_microseconds(duration());
   scene["start"] = to_microseconds(states_.start());
@@ -48,8 +48,7 @@ std::string ReplaySession::scene_message() {
 }
 
 std::string ReplaySession::settings_message() {
-  told_settings_ = states_.settings_at(state());
-  return told_settings_ < 0 ? std::string() : states_.settings(told_settings_);
+  return settings_number() < 0 ? std::string() : states_.settings(settings_number());
 }
 
 std::string ReplaySession::obey(const ViewerCommand& command) {

@@ -33,9 +33,9 @@ class ReplaySession {
   /// Lets `elapsed` (s, of the clock on the wall) go by. At the end it pauses.
   void advance(double elapsed) noexcept;
 
-  /// Whether scene or settings have become others than those told last by `scene_message`, `settings_message`.
-  bool scene_changed() const noexcept { return states_.scene_at(state()) != told_scene_; }
-  bool settings_changed() const noexcept { return states_.settings_at(state()) != told_settings_; }
+  /// Which scene and settings of the recording those are: they change where these do.
+  int scene_number() const noexcept { return states_.scene_at(state()); }
+  int settings_number() const noexcept { return states_.settings_at(state()); }
 
   /// The state to show now: as recorded, but for its number, its times, and what is said of pause, recording, hand and
   /// viewers. `made_ms`: see ViewFrame. Throws RecordingError where the file can no longer be read.
@@ -49,7 +49,6 @@ class ReplaySession {
   double time_ = 0.0;   ///< s
   double speed_ = 1.0;  ///< seconds of the recording a second
   bool paused_ = false;
-  int told_scene_ = -1, told_settings_ = -1;
   std::uint64_t sent_ = 0;
 };
 

@@ -198,7 +198,7 @@ TEST(ProgramRender, RefusesOptionsThatMakeNoSense) {
   expect_one_sentence(run_program({"render", "--scene", kScene}), 2, "required");
   expect_one_sentence(run_program({"render"}), 2, "see 'tegotae render --help'");
   expect_one_sentence(run_program({}), 2, "--help");
-  expect_one_sentence(run_program({"rendr"}), 2, "there is no command 'rendr'; there are: experiment, render");
+  expect_one_sentence(run_program({"rendr"}), 2, "there is no command 'rendr'; there are: experiment, serve, render");
   expect_one_sentence(run_program(render_command(motion, out, {"--method", "adachi", "--constraint-set", "near"})), 2,
                       "'adachi' has no choice of constraint set");
   EXPECT_FALSE(std::filesystem::exists(out));

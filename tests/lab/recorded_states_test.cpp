@@ -23,7 +23,7 @@ std::string state(int i) { return R"({"type":"state","t":)" + std::to_string(i) 
 
 // Seconds 10, 11, ... 14, the scene and the settings changing before 12.
 std::filesystem::path a_recording(const TemporaryFolder& folder, const std::vector<int>& times = {10, 11, 12, 13, 14}) {
-  const auto file = folder.path() / "a.mcap";
+  auto file = folder.path() / "a.mcap";
   RecordingFile recording(file, {}, 0.0);
   recording.write_scene(10.0, "{\"scene\":0}");
   recording.write_settings(10.0, "{\"settings\":0}");

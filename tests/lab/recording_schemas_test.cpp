@@ -22,7 +22,7 @@ void expect_plottable(const Json& schema, const std::string& where) {
   ASSERT_EQ(schema.at("type"), "object") << where;
   ASSERT_TRUE(schema.at("properties").is_object()) << where;
   for (const auto& [name, property] : schema.at("properties").items()) {
-    const std::string here = where + "." + name;
+    const std::string here = std::string(where).append(".").append(name);
     ASSERT_TRUE(property.at("type").is_string()) << here;
     const Json& value = property.at("type") == "array" ? property.at("items") : property;
     if (value.at("type") == "object") {

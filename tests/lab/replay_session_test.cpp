@@ -25,7 +25,7 @@ namespace command = viewer_command;
 
 // Ten seconds from 100 s on, ten states a second; another scene from 105 s on.
 std::filesystem::path a_recording(const TemporaryFolder& folder) {
-  const auto file = folder.path() / "a.mcap";
+  auto file = folder.path() / "a.mcap";
   RecordingFile recording(file, {}, 0.0);
   recording.write_scene(100.0, R"({"type":"scene","mode":"live","name":"first"})");
   recording.write_settings(100.0, R"({"type":"settings","method":"proxy","values":[]})");
@@ -96,20 +96,19 @@ TEST(ReplaySession, TheSceneSaysThatItIsAReplay) {
   EXPECT_EQ(Json::parse(replay.settings_message())["method"], "proxy");
 }
 
-TEST(ReplaySession, TellsWhenTheSceneIsAnother) {
+TEST(ReplaySession, KnowsWhenTheSceneIsAnother) {
   const TemporaryFolder folder;
   ReplaySession replay(a_recording(folder));
-  replay.scene_message();
-  replay.settings_message();
+  const int first = replay.scene_number(), settings = replay.settings_number();
   replay.advance(4.0);
-  EXPECT_FALSE(replay.scene_changed());
+  EXPECT_EQ(replay.scene_number(), first);
   replay.advance(2.0);
-  EXPECT_TRUE(replay.scene_changed());
-  EXPECT_FALSE(replay.settings_changed());
+  EXPECT_NE(replay.scene_number(), first);
+  EXPECT_EQ(replay.settings_number(), settings);
   EXPECT_EQ(Json::parse(replay.scene_message())["name"], "second");
-  EXPECT_FALSE(replay.scene_changed());
   replay.obey(command::Seek{1.0});
-  EXPECT_TRUE(replay.scene_changed());
+  EXPECT_EQ(replay.scene_number(), first);
+  EXPECT_EQ(Json::parse(replay.scene_message())["name"], "first");
 }
 
 TEST(ReplaySession, ObeysPauseSeekSpeedAndReset) {
