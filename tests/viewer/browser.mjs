@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
+import { Program } from "./program.mjs";
 
 /** Where screenshots and figures are kept. */
 export const output = process.env.TEGOTAE_OUTPUT ?? "viewer-output";
@@ -157,5 +158,17 @@ export class ViewerPage {
   async close() {
     await this.page.close();
     assert.deepEqual(this.errors, [], "the page complains");
+  }
+}
+
+/** Runs `use` with a program, started with these arguments, and a page on it, and stops both. */
+export async function withPage(browser, args, use) {
+  const program = await Program.start(...args, "--port", "0");
+  try {
+    const page = await ViewerPage.open(browser, program.address);
+    await use(page, program);
+    await page.close();
+  } finally {
+    await program.stop();
   }
 }

@@ -4,28 +4,17 @@ import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { launch, output, ViewerPage } from "./browser.mjs";
+import { launch, output, ViewerPage, withPage } from "./browser.mjs";
 import { Program } from "./program.mjs";
-import { forceOf, lengthOf, scenes } from "./scene_facts.mjs";
+import { floor, lengthOf } from "./scene_facts.mjs";
 
 const forceColour = [255, 77, 79]; // of the curve of the force's size
-const floor = { file: join(scenes, "cube-on-floor.xml"), halfEdge: 0.02 }; // m; the floor is z = 0
 
 let browser;
 before(async () => (browser = await launch()));
 after(() => browser.close());
 
-/** Runs `use` with a program and a page on it, and stops both. */
-async function served(args, use) {
-  const program = await Program.start("serve", ...args, "--port", "0");
-  try {
-    const page = await ViewerPage.open(browser, program.address);
-    await use(page, program);
-    await page.close();
-  } finally {
-    await program.stop();
-  }
-}
+const served = (args, use) => withPage(browser, ["serve", ...args], use);
 
 describe("the page of tegotae serve", () => {
   test("shows its scene: the canvas is not blank, and nothing is cut off at 1280 by 720", () =>
@@ -123,7 +112,7 @@ describe("the page of tegotae serve", () => {
       await page.until((z) => window.tegotae.state.tool[2] > z + 0.005, start);
       await page.letGo();
       await page.control("reset").click();
-      await page.until((z) => Math.abs(window.tegotae.state.tool[2] - z) < 1e-3, start);
+      await page.until((z) => Math.abs(window.tegotae.state?.tool[2] - z) < 1e-3, start);
     }));
 
   test("the tool moves and turns by keys alone, and every control can be reached", () =>
@@ -225,63 +214,4 @@ describe("the page of tegotae serve", () => {
       assert.ok(figures.drawsInSoftware, "the figures are those of software rendering");
       assert.ok(figures.framesPerSecond > 0 && figures.ages > 0 && figures.ageMedian >= 0);
     }));
-});
-
-describe("a recording", () => {
-  test("is started and stopped on the page, and its replay shows the same forces", async () => {
-    let file = "";
-    const forces = [];
-    await served([floor.file, "--recordings", output], async (page) => {
-      await page.page.evaluate(() => {
-        window.seen = [];
-        let last = -1;
-        setInterval(() => {
-          const { state } = window.tegotae;
-          if (!state.recording) return;
-          for (const sample of state.samples) if (sample[0] > last) window.seen.push(sample);
-          last = state.samples[state.samples.length - 1]?.[0] ?? last;
-        }, 8);
-      });
-      await page.control("record").click();
-      await page.until(() => window.tegotae.state.recording_ticks > 0);
-      file = (await page.state()).recording_file;
-      await page.control("motion-choice").selectOption("press");
-      await page.control("motion-choice-go").click();
-      await page.until(() => window.tegotae.state.wrench[2] > 1);
-      await page.until(() => window.tegotae.state.motion === null);
-      await page.control("record").click();
-      await page.until(() => !window.tegotae.state.recording);
-      forces.push(...(await page.page.evaluate(() => window.seen)));
-    });
-    const strongest = forces.reduce((best, sample) => (forceOf(sample) > forceOf(best) ? sample : best));
-    assert.ok(forceOf(strongest) > 1);
-
-    const program = await Program.start("replay", file, "--port", "0");
-    try {
-      const page = await ViewerPage.open(browser, program.address);
-      assert.equal(await page.page.evaluate(() => window.tegotae.scene.mode), "replay");
-      await page.control("record").waitFor({ state: "hidden" });
-      await page.control("time-bar").waitFor({ state: "visible" });
-      await page.page.evaluate(() => window.tegotae.send({ type: "pause" }));
-      const first = (await page.state()).t;
-      assert.ok(first >= 0);
-      const peak = await page.page.evaluate(async () => {
-        let best = 0;
-        const { duration } = window.tegotae.scene;
-        for (let t = 0; t <= duration; t += duration / 60) {
-          window.tegotae.send({ type: "seek", t });
-          await new Promise((resolve) => setTimeout(resolve, 60));
-          for (const [, x, y, z] of window.tegotae.state.samples) best = Math.max(best, Math.hypot(x, y, z));
-        }
-        return best;
-      });
-      assert.ok(Math.abs(peak / forceOf(strongest) - 1) < 0.02, `${peak} N in place of ${forceOf(strongest)} N`);
-      await page.picture("replay");
-      await page.control("play").click();
-      await page.until(() => !window.tegotae.state.paused);
-      await page.close();
-    } finally {
-      await program.stop();
-    }
-  });
 });

@@ -2,8 +2,10 @@
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-/** The folder of the project's scenes. */
-export const scenes = join(dirname(fileURLToPath(import.meta.url)), "../../scenes");
+const scenes = join(dirname(fileURLToPath(import.meta.url)), "../../scenes");
+
+/** A scene with a cube over a floor, whose top is the plane z = 0; lengths in m. */
+export const floor = { file: join(scenes, "cube-on-floor.xml"), halfEdge: 0.02 };
 
 export function lengthOf(vector) {
   return Math.hypot(...vector);
