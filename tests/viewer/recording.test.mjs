@@ -70,7 +70,7 @@ test("a recording is started and stopped on the page, and its replay shows the s
     assert.ok(Math.abs(shown / strongest - 1) < 0.02, `${shown} N in place of ${strongest} N`);
 
     const { duration } = await page.page.evaluate(() => window.tegotae.scene);
-    await page.control("time-bar").fill(String(duration / 2));
+    await page.control("time-bar").fill((duration / 2).toFixed(3));
     await page.until((t) => Math.abs(window.tegotae.state.t - t) < 0.1, duration / 2);
     await page.picture("replay");
     await page.page.keyboard.press("Space");
