@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording made on the page, and its replay.
 import assert from "node:assert/strict";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, output, withPage } from "./browser.mjs";
+import { launch, withPage } from "./browser.mjs";
 import { floor, forceOf } from "./scene_facts.mjs";
 
+const folder = mkdtempSync(join(tmpdir(), "tegotae-page-"));
 let browser;
 before(async () => (browser = await launch()));
-after(() => browser.close());
+after(async () => {
+  await browser.close();
+  rmSync(folder, { recursive: true });
+});
 
 /** Keeps every sample that the page is shown while it records, in `window.seen`. */
 function keepSamples() {
@@ -24,7 +31,7 @@ function keepSamples() {
 /** Records a motion that presses on the floor: the file, and the samples seen meanwhile. */
 async function recorded() {
   let file = "", samples = [];
-  await withPage(browser, ["serve", floor.file, "--recordings", output], async (page) => {
+  await withPage(browser, ["serve", floor.file, "--recordings", folder], async (page) => {
     await page.page.evaluate(keepSamples);
     await page.control("record").click();
     await page.until(() => window.tegotae.state.recording_ticks > 0);
@@ -72,6 +79,7 @@ test("a recording is started and stopped on the page, and its replay shows the s
     const { duration } = await page.page.evaluate(() => window.tegotae.scene);
     await page.control("time-bar").fill((duration / 2).toFixed(3));
     await page.until((t) => Math.abs(window.tegotae.state.t - t) < 0.1, duration / 2);
+    await page.page.waitForTimeout(500);
     await page.picture("replay");
     await page.page.keyboard.press("Space");
     await page.until((t) => !window.tegotae.state.paused && window.tegotae.state.t > t + 0.2, duration / 2);

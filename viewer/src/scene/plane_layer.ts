@@ -10,7 +10,8 @@ import {
   RingGeometry,
   Vector3,
 } from "three";
-import type { Scene, State } from "../protocol";
+import { pointOn } from "../poses";
+import type { Scene, State, Vector } from "../protocol";
 import { colours } from "./colours";
 import type { Layer } from "./layer";
 import type { SceneExtent } from "./scene_extent";
@@ -18,7 +19,7 @@ import type { SceneExtent } from "./scene_extent";
 const capacity = 64; // objects so near; more are not drawn
 const radius = 1.1; // of a disc, in radii of the tool
 
-/** The planes that stand for the near objects' surfaces, as discs. */
+/** The planes that stand for the near objects' surfaces, as discs over against the tool. */
 export class PlaneLayer implements Layer {
   readonly name = "planes";
   readonly label = "Planes of near objects";
@@ -27,23 +28,28 @@ export class PlaneLayer implements Layer {
   private readonly discs = this.instances(new CircleGeometry(1, 40), 0.2);
   private readonly rims = this.instances(new RingGeometry(0.965, 1, 40), 0.9);
   private size = 1;
+  private centre: Vector = [0, 0, 0]; // of the tool's mass
 
   constructor() {
     this.object.add(this.discs, this.rims);
   }
 
-  begin(_scene: Scene, extent: SceneExtent): void {
+  begin(scene: Scene, extent: SceneExtent): void {
     this.size = radius * extent.toolRadius;
+    this.centre = scene.tool.centre_of_mass;
     this.discs.count = this.rims.count = 0;
   }
 
   show(state: State): void {
     const count = Math.min(state.planes.length, capacity);
     const turn = new Quaternion(), z = new Vector3(0, 0, 1), place = new Matrix4();
+    const tool = pointOn(state.proxy, this.centre);
     for (let i = 0; i < count; ++i) {
       const [px, py, pz, nx, ny, nz] = state.planes[i]!;
-      turn.setFromUnitVectors(z, new Vector3(nx, ny, nz).normalize());
-      place.compose(new Vector3(px, py, pz), turn, new Vector3().setScalar(this.size));
+      const normal = new Vector3(nx, ny, nz).normalize();
+      const height = tool.clone().sub(new Vector3(px, py, pz)).dot(normal);
+      turn.setFromUnitVectors(z, normal);
+      place.compose(tool.clone().addScaledVector(normal, -height), turn, new Vector3().setScalar(this.size));
       this.discs.setMatrixAt(i, place);
       this.rims.setMatrixAt(i, place);
     }
