@@ -202,14 +202,15 @@ describe("the page of tegotae serve", () => {
 
   test("how fast it is drawn and how old what it shows is, as figures", () =>
     served([], async (page) => {
-      await page.control("motion-choice").selectOption("press");
-      await page.control("motion-choice-go").click();
-      await page.page.waitForTimeout(4000);
+      await page.pressDown(3);
+      await page.page.waitForTimeout(3000);
       const figures = await page.page.evaluate(() => {
         const ages = [...window.tegotae.agesWhenDrawn].sort((a, b) => a - b);
         const { framesPerSecond, drawsInSoftware } = window.tegotae;
         return { framesPerSecond, drawsInSoftware, ageMedian: ages[ages.length >> 1], ages: ages.length };
       });
+      await page.picture("live-view");
+      await page.letGo();
       writeFileSync(join(output, "figures.json"), `${JSON.stringify(figures)}\n`);
       assert.ok(figures.drawsInSoftware, "the figures are those of software rendering");
       assert.ok(figures.framesPerSecond > 0 && figures.ages > 0 && figures.ageMedian >= 0);

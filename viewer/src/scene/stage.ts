@@ -43,7 +43,7 @@ export class Stage {
     this.controls.dispose();
     this.controls = this.newControls();
     // The whole of a scene stands below and beside its tool more often than above.
-    const target = tool.clone().lerp(bounds.center, bounds.radius < 12 * toolRadius ? 0.25 : 0);
+    const target = tool.clone().lerp(bounds.center, bounds.radius < 12 * toolRadius ? 0.4 : 0);
     const direction = back.clone().addScaledVector(right, 0.55).addScaledVector(up, 0.55).normalize();
     this.look(target, direction, distance);
     this.camera.updateProjectionMatrix();
