@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/live_messages.hpp>
+#include <tegotae/lab/live_session.hpp>
+#include <tegotae/stream/mcap_reader.hpp>
+
+#include <tests/lab/temporary_folder.hpp>
+#include <tests/sweep_size.hpp>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+// A session as pages see it: what they are sent for what they say. Each test waits for what must come, and fails where
+// it has not come within a minute.
+namespace tegotae {
+namespace {
+
+using Json = nlohmann::json;
+
+LiveScene scene(const std::string& file) { return {file, std::filesystem::path(TEGOTAE_SCENES) / file}; }
+
+// A session on a thread of its own, with all that it sends kept.
+class Pages {
+ public:
+  explicit Pages(LiveSessionOptions options) : session_(std::move(options), output(), [](NoticeLevel, const auto&) {}) {
+    thread_ = std::thread([this] { session_.run(stop_); });
+  }
+  ~Pages() { stop(); }
+
+  void stop() {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+  }
+
+  LiveInbox& inbox() { return session_.inbox(); }
+  void say(ViewerId viewer, const Json& message) { inbox().received(viewer, message.dump()); }
+
+  // The newest state for which `holds` is true.
+  Json state(const std::function<bool(const Json&)>& holds) {
+    return wait([&]() -> Json {
+      const Json newest = Json::parse(state_.empty() ? "{}" : state_);
+      return !newest.empty() && holds(newest) ? newest : Json();
+    });
+  }
+  // The first message of a type for which `holds` is true, sent to `viewer` or to all. It and those before are gone.
+  Json message(ViewerId viewer, const std::string& type,
+               const std::function<bool(const Json&)>& holds = [](const Json&) { return true; }) {
+    return wait([&]() -> Json {
+      auto& mail = mail_[viewer];
+      for (size_t i = 0; i < mail.size(); ++i) {
+        const Json one = Json::parse(mail[i]);
+        if (one["type"] != type || !holds(one)) continue;
+        mail.erase(mail.begin(), mail.begin() + static_cast<long>(i) + 1);
+        return one;
+      }
+      return {};
+    });
+  }
+
+ private:
+  ViewerOutput output() {
+    return {[this](const SharedText& text) { with_lock([&] { state_ = *text; }); },
+            [this](ViewerId viewer, const SharedText& text) { with_lock([&] { mail_[viewer].push_back(*text); }); },
+            [this](const SharedText& text) {
+              with_lock([&] {
+                for (auto& [viewer, mail] : mail_) mail.push_back(*text);
+              });
+            },
+            [] { return std::size_t{2}; }, [](ViewerId, const std::string&) {}};
+  }
+  void with_lock(const std::function<void()>& what) {
+    const std::lock_guard lock(mutex_);
+    what();
+  }
+  Json wait(const std::function<Json()>& look) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (std::chrono::steady_clock::now() < deadline) {
+      Json found;
+      with_lock([&] { found = look(); });
+      if (!found.is_null()) return found;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    ADD_FAILURE() << "it has not come";
+    return Json::object();
+  }
+
+  std::mutex mutex_;
+  std::string state_;
+  std::map<ViewerId, std::vector<std::string>> mail_;
+  std::atomic<bool> stop_{false};
+  LiveSession session_;
+  std::thread thread_;
+};
+
+LiveSessionOptions table() {
+  LiveSessionOptions options;
+  options.scene = scene("table.xml");
+  options.scenes = {scene("table.xml"), scene("cube-on-floor.xml")};
+  return options;
+}
+
+double force(const Json& state) {
+  const auto& w = state["wrench"];
+  return Vector3(w[0].get<double>(), w[1].get<double>(), w[2].get<double>()).norm();
+}
+
+Json hand_at(double z) { return {{"type", "hand"}, {"pose", {0.0, -0.02, z, 1.0, 0.0, 0.0, 0.0}}}; }
+
+TEST(LiveSession, GreetsWhoComesWithNumberSceneAndSettings) {
+  Pages pages(table());
+  pages.inbox().joined(7);
+  EXPECT_EQ(pages.message(7, "welcome")["viewer"], 7);
+  const Json shown = pages.message(7, "scene");
+  EXPECT_EQ(shown["name"], "table.xml");
+  EXPECT_EQ(shown["mode"], "live");
+  EXPECT_EQ(shown["scenes"].size(), 2u);
+  EXPECT_GE(shown["experiments"].size(), 20u);
+  EXPECT_GE(shown["motions"].size(), 3u);
+  const Json settings = pages.message(7, "settings");
+  EXPECT_EQ(settings["method"], "proxy");
+  const Json state = pages.state([](const Json& s) { return s["n"] > 3; });
+  EXPECT_EQ(state["bodies"].size(), 6u);
+  EXPECT_EQ(state["viewers"], 2);
+  EXPECT_TRUE(state["hand"].is_null());
+}
+
+TEST(LiveSession, ThePageIsTheHandUntilItLetsGo) {
+  Pages pages(table());
+  pages.inbox().joined(1);
+  pages.inbox().joined(2);
+  pages.say(1, hand_at(0.455));
+  const Json pressed = pages.state([](const Json& s) { return force(s) > 1.0; });
+  EXPECT_EQ(pressed["hand"], 1);
+  EXPECT_NEAR(pressed["proxy"][2].get<double>(), 0.465, 1e-4);
+  EXPECT_LT(pressed["tool"][2].get<double>(), 0.465);
+  pages.say(1, hand_at(0.455));
+  pages.say(2, hand_at(0.6));
+  pages.say(1, {{"type", "release"}});
+  pages.state([](const Json& s) { return s["hand"].is_null(); });
+  EXPECT_GT(force(pages.state([](const Json& s) { return !s["target"].is_null(); })), 1.0) << "it stays where it was";
+  pages.say(2, hand_at(0.6));
+  pages.state([](const Json& s) { return s["hand"] == 2 && force(s) == 0.0; });
+  pages.inbox().left(2);
+  pages.state([](const Json& s) { return s["hand"].is_null(); });
+}
+
+TEST(LiveSession, ASettingIsToldToAllAndARefusalToOne) {
+  Pages pages(table());
+  pages.inbox().joined(1);
+  pages.inbox().joined(2);
+  const auto value = [](const Json& settings, const char* name) {
+    for (const Json& one : settings["values"]) {
+      if (one["name"] == name) return one["value"].get<double>();
+    }
+    return -1.0;
+  };
+  pages.say(1, {{"type", "set"}, {"name", "stiffness"}, {"value", 800.0}});
+  pages.message(2, "settings", [&](const Json& s) { return value(s, "stiffness") == 800.0; });
+  pages.say(2, {{"type", "set"}, {"name", "stiffness"}, {"value", -3.0}});
+  EXPECT_NE(pages.message(2, "notice", [](const Json& n) { return n["level"] == "error"; })["text"], "");
+  EXPECT_EQ(value(pages.message(2, "settings"), "stiffness"), 800.0) << "what holds is shown again";
+  pages.say(1, {{"type", "method"}, {"name", "ortega"}});
+  pages.message(2, "settings", [](const Json& s) { return s["method"] == "ortega"; });
+}
+
+TEST(LiveSession, StandsStillWhilePausedAndStartsAnewWhenResetEvenThen) {
+  Pages pages(table());
+  pages.inbox().joined(1);
+  pages.state([](const Json& s) { return s["t"] > 0.3; });
+  pages.say(1, {{"type", "step"}});
+  EXPECT_EQ(pages.message(1, "notice", [](const Json& n) { return n["level"] == "error"; })["type"], "notice");
+  pages.say(1, {{"type", "pause"}});
+  const Json paused = pages.state([](const Json& s) { return s["paused"] == true; });
+  const int n = paused["n"].get<int>();
+  const double t = pages.state([&](const Json& s) { return s["n"] > n + 10; })["t"].get<double>();
+  EXPECT_EQ(pages.state([&](const Json& s) { return s["n"] > n + 30; })["t"].get<double>(), t);
+  pages.say(1, {{"type", "step"}});
+  pages.state([&](const Json& s) { return s["t"] > t + 1e-3; });
+  pages.say(1, {{"type", "reset"}});
+  pages.state([](const Json& s) { return s["t"] < 0.2 && s["paused"] == false; });
+}
+
+TEST(LiveSession, PlaysMotionsScenesAndExperiments) {
+  Pages pages(table());
+  pages.inbox().joined(1);
+  pages.say(1, {{"type", "motion"}, {"name", "press"}});
+  pages.state([](const Json& s) { return s["motion"] == "press" && force(s) > 0.5; });
+  pages.say(1, {{"type", "stop"}});
+  pages.state([](const Json& s) { return s["motion"].is_null(); });
+  pages.say(1, {{"type", "scene"}, {"name", "cube-on-floor.xml"}});
+  pages.message(1, "scene", [](const Json& s) { return s["name"] == "cube-on-floor.xml"; });
+  pages.say(1, {{"type", "method"}, {"name", "paper"}});
+  pages.say(1, {{"type", "experiment"}, {"name", "overhang"}});
+  pages.message(1, "scene", [](const Json& s) { return s["name"] == "overhang"; });
+  EXPECT_EQ(pages.message(1, "settings")["method"], "paper") << "the method that was chosen stays";
+  const Json playing = pages.state([](const Json& s) { return s["motion"] == "overhang" && s["t"] > 0.1; });
+  EXPECT_TRUE(playing["target"].is_null()) << "no hand means anything while an experiment plays";
+  pages.say(1, hand_at(1.0));
+  pages.state([](const Json& s) { return s["motion"].is_null() && !s["target"].is_null(); });
+  pages.say(1, {{"type", "scene"}, {"name", "../../etc/passwd"}});
+  const Json refusal = pages.message(1, "notice", [](const Json& s) { return s["level"] == "error"; });
+  EXPECT_NE(refusal["text"].get<std::string>().find("there are: table.xml"), std::string::npos) << refusal["text"];
+}
+
+TEST(LiveSession, RecordsWhatThePagesSaw) {
+  const TemporaryFolder folder;
+  LiveSessionOptions options = table();
+  options.recordings = folder.path();
+  Pages pages(options);
+  pages.inbox().joined(1);
+  pages.say(1, {{"type", "record"}, {"on", true}});
+  const Json recording = pages.state([](const Json& s) { return s["recording"] == true && s["recording_ticks"] > 500; });
+  const std::filesystem::path file = recording["recording_file"].get<std::string>();
+  EXPECT_EQ(file.parent_path(), folder.path());
+  pages.say(1, {{"type", "set"}, {"name", "stiffness"}, {"value", 600.0}});
+  pages.say(1, {{"type", "record"}, {"on", false}});
+  pages.message(1, "notice", [](const Json& s) { return s["text"].get<std::string>().find("ticks recorded") != std::string::npos; });
+  std::map<std::string, int> topics;
+  const McapEnd end = read_mcap(file, [&](const McapMessage& message) { ++topics[std::string(message.topic)]; });
+  EXPECT_TRUE(end.complete);
+  EXPECT_EQ(topics["/tegotae/scene"], 1);
+  EXPECT_EQ(topics["/tegotae/settings"], 2);
+  EXPECT_GT(topics["/tegotae/state"], 10);
+  EXPECT_GT(topics["/tegotae/tick"], 500);
+}
+
+TEST(LiveSession, AFullDiskEndsTheRecordingAndNothingElse) {
+  LiveSessionOptions options = table();
+  options.file = "/dev/full";
+  Pages pages(options);
+  pages.inbox().joined(1);
+  const Json state = pages.state([](const Json& s) { return s["t"] > 0.5; });
+  pages.state([](const Json& s) { return s["t"] > 1.0 && s["recording"] == false; });
+  pages.stop();
+  SUCCEED() << state["n"];
+}
+
+TEST(LiveSession, WhatFramesSayNeverStopsIt) {
+  Pages pages(table());
+  pages.inbox().joined(1);
+  const std::vector<std::string> types = {"hand", "release", "set",   "method",     "pause",  "resume", "step", "reset",
+                                          "motion", "stop", "scene", "experiment", "record", "seek",   "play", "?"};
+  const std::vector<Json> values = {nullptr, true, -1.0, 1e300, "stiffness", "physics_rate", "proxy", "paper", "press",
+                                    "table.xml", "../x", Json::array(), Json::array({1, 2, 3}), Json::object()};
+  std::mt19937 random(20251);
+  const auto any = [&](const auto& all) { return all[random() % all.size()]; };
+  const int messages = testing::sweep_size(3000);
+  for (int i = 0; i < messages; ++i) {
+    Json message = {{"type", any(types)}};
+    // No recording here, and no scene that takes long to load each time.
+    if (message["type"] == "record" || message["type"] == "experiment") continue;
+    for (const char* member : {"name", "value", "pose", "on", "t", "speed"}) {
+      if (random() % 2 == 0) message[member] = any(values);
+    }
+    std::string text = message.dump();
+    if (random() % 4 == 0) text.resize(random() % (text.size() + 1));
+    pages.inbox().received(1, text);
+    if (i % 50 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  pages.say(1, {{"type", "resume"}});
+  const int n = pages.state([](const Json& s) { return s["n"] > 0; })["n"].get<int>();
+  pages.state([&](const Json& s) { return s["n"] < n || s["n"] > n + 5; });
+}
+
+}  // namespace
+}  // namespace tegotae
