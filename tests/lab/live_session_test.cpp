@@ -52,8 +52,9 @@ class Pages {
     });
   }
   // The first message of a type for which `holds` is true, sent to `viewer` or to all. It and those before are gone.
-  Json message(ViewerId viewer, const std::string& type,
-               const std::function<bool(const Json&)>& holds = [](const Json&) { return true; }) {
+  Json message(
+      ViewerId viewer, const std::string& type,
+      const std::function<bool(const Json&)>& holds = [](const Json&) { return true; }) {
     return wait([&]() -> Json {
       auto& mail = mail_[viewer];
       for (size_t i = 0; i < mail.size(); ++i) {
@@ -218,12 +219,14 @@ TEST(LiveSession, RecordsWhatThePagesSaw) {
   Pages pages(options);
   pages.inbox().joined(1);
   pages.say(1, {{"type", "record"}, {"on", true}});
-  const Json recording = pages.state([](const Json& s) { return s["recording"] == true && s["recording_ticks"] > 500; });
+  const Json recording =
+      pages.state([](const Json& s) { return s["recording"] == true && s["recording_ticks"] > 500; });
   const std::filesystem::path file = recording["recording_file"].get<std::string>();
   EXPECT_EQ(file.parent_path(), folder.path());
   pages.say(1, {{"type", "set"}, {"name", "stiffness"}, {"value", 600.0}});
   pages.say(1, {{"type", "record"}, {"on", false}});
-  pages.message(1, "notice", [](const Json& s) { return s["text"].get<std::string>().find("ticks recorded") != std::string::npos; });
+  pages.message(1, "notice",
+                [](const Json& s) { return s["text"].get<std::string>().find("ticks recorded") != std::string::npos; });
   std::map<std::string, int> topics;
   const McapEnd end = read_mcap(file, [&](const McapMessage& message) { ++topics[std::string(message.topic)]; });
   EXPECT_TRUE(end.complete);
@@ -247,10 +250,12 @@ TEST(LiveSession, AFullDiskEndsTheRecordingAndNothingElse) {
 TEST(LiveSession, WhatFramesSayNeverStopsIt) {
   Pages pages(table());
   pages.inbox().joined(1);
-  const std::vector<std::string> types = {"hand", "release", "set",   "method",     "pause",  "resume", "step", "reset",
-                                          "motion", "stop", "scene", "experiment", "record", "seek",   "play", "?"};
-  const std::vector<Json> values = {nullptr, true, -1.0, 1e300, "stiffness", "physics_rate", "proxy", "paper", "press",
-                                    "table.xml", "../x", Json::array(), Json::array({1, 2, 3}), Json::object()};
+  const std::vector<std::string> types = {"hand",   "release", "set",    "method", "pause", "resume",
+                                          "step",   "reset",   "motion", "stop",   "scene", "experiment",
+                                          "record", "seek",    "play",   "?"};
+  const std::vector<Json> values = {
+      nullptr, true,    -1.0,        1e300,  "stiffness",   "physics_rate",         "proxy",
+      "paper", "press", "table.xml", "../x", Json::array(), Json::array({1, 2, 3}), Json::object()};
   std::mt19937 random(20251);
   const auto any = [&](const auto& all) { return all[random() % all.size()]; };
   const int messages = testing::sweep_size(3000);
