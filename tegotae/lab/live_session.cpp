@@ -20,6 +20,7 @@ using std::chrono::milliseconds;
 
 constexpr std::chrono::microseconds kStatePeriod{16'667};
 constexpr milliseconds kHistogramPeriod{500};
+constexpr int kMostRefusals = 50;           // of messages that are none, from one page
 constexpr milliseconds kHandSilence{1000};  // after which another may take the tool
 
 SharedText shared(std::string text) { return std::make_shared<const std::string>(std::move(text)); }
@@ -104,7 +105,11 @@ void LiveSession::take_messages() {
 void LiveSession::handle(const LiveInbox::Event& event) {
   if (std::holds_alternative<LiveInbox::Joined>(event.what)) greet(event.viewer);
   if (std::holds_alternative<LiveInbox::Left>(event.what) && hand_ == event.viewer) hand_.reset();
-  if (const auto* refused = std::get_if<LiveInbox::Refused>(&event.what)) refuse(event.viewer, refused->why);
+  if (std::holds_alternative<LiveInbox::Left>(event.what)) refusals_.erase(event.viewer);
+  if (const auto* refused = std::get_if<LiveInbox::Refused>(&event.what)) {
+    refuse(event.viewer, refused->why);
+    if (++refusals_[event.viewer] == kMostRefusals) output_.disconnect(event.viewer, "too many messages that are none");
+  }
   const auto* command = std::get_if<ViewerCommand>(&event.what);
   if (command == nullptr) return;
   try {

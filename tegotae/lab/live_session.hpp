@@ -12,6 +12,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -90,6 +91,7 @@ class LiveSession {
   Clock::time_point next_state_{}, next_histogram_{};
   std::optional<ViewerId> hand_;
   Clock::time_point hand_heard_{};
+  std::map<ViewerId, int> refusals_;  ///< messages that were none
   std::optional<std::string> motion_;
   std::unique_ptr<RecordingFile> recording_;
   std::filesystem::path recording_path_;

@@ -67,6 +67,10 @@ class Pages {
     });
   }
 
+  ViewerId disconnected() {
+    return wait([&]() -> Json { return disconnected_.empty() ? Json() : Json(disconnected_.front()); });
+  }
+
  private:
   ViewerOutput output() {
     return {[this](const SharedText& text) { with_lock([&] { state_ = *text; }); },
@@ -76,7 +80,8 @@ class Pages {
                 for (auto& [viewer, mail] : mail_) mail.push_back(*text);
               });
             },
-            [] { return std::size_t{2}; }, [](ViewerId, const std::string&) {}};
+            [] { return std::size_t{2}; },
+            [this](ViewerId viewer, const std::string&) { with_lock([&] { disconnected_.push_back(viewer); }); }};
   }
   void with_lock(const std::function<void()>& what) {
     const std::lock_guard lock(mutex_);
@@ -96,6 +101,7 @@ class Pages {
 
   std::mutex mutex_;
   std::string state_;
+  std::vector<ViewerId> disconnected_;
   std::map<ViewerId, std::vector<std::string>> mail_;
   std::atomic<bool> stop_{false};
   LiveSession session_;
@@ -245,6 +251,17 @@ TEST(LiveSession, AFullDiskEndsTheRecordingAndNothingElse) {
   pages.state([](const Json& s) { return s["t"] > 1.0 && s["recording"] == false; });
   pages.stop();
   SUCCEED() << state["n"];
+}
+
+TEST(LiveSession, APageThatOnlyTalksNonsenseIsDisconnected) {
+  Pages pages(table());
+  pages.inbox().joined(4);
+  pages.inbox().joined(5);
+  pages.say(5, {{"type", "pause"}});
+  for (int i = 0; i < 60; ++i) pages.inbox().received(4, "{]");
+  EXPECT_EQ(pages.disconnected(), 4u);
+  pages.say(5, {{"type", "resume"}});
+  pages.state([](const Json& s) { return s["paused"] == false; });
 }
 
 TEST(LiveSession, WhatFramesSayNeverStopsIt) {
