@@ -165,6 +165,24 @@ describe("the page of tegotae serve", () => {
       assert.deepEqual(await page.page.evaluate(faintTexts, 4.5), []);
     }));
 
+  test("every scene opens, and an experiment plays in its own", () =>
+    served([], async (page) => {
+      const isShown = (name) => window.tegotae.scene.name === name && window.tegotae.state?.n > 2;
+      const { scenes, experiments } = await page.page.evaluate(() => window.tegotae.scene);
+      assert.ok(scenes.length > 10 && experiments.length > 10);
+      for (const name of scenes) {
+        await page.control("scene-choice").selectOption(name);
+        await page.control("scene-choice-go").click();
+        await page.until(isShown, name);
+      }
+      await page.control("experiment-choice").selectOption("paper-cube");
+      await page.control("experiment-choice-go").click();
+      await page.until(isShown, "paper-cube");
+      await page.until(() => window.tegotae.state.motion === "paper-cube" && window.tegotae.state.wrench[1] > 0.5);
+      await page.control("stop").click();
+      await page.until(() => window.tegotae.state.motion === null && window.tegotae.state.target !== null);
+    }));
+
   test("a second viewer joins, sees the same, and waits for the tool", () =>
     served([floor.file], async (first, program) => {
       const second = await ViewerPage.open(browser, program.address);
