@@ -38,7 +38,7 @@ std::string live_scene_message(const LiveRun& run, std::span<const LiveScene> sc
   for (const ScriptedMotion& motion : scripted_motions()) {
     names.motions.push_back({std::string(motion.name), std::string(motion.summary)});
   }
-  names.interface = run.interface().name;
+  names.interface = "page";
   return encode_scene(run.geometry(), names);
 }
 

@@ -53,6 +53,7 @@ LiveRun::LiveRun(const LiveScene& scene, const SettingsRequest& wanted)
       world_(load_mujoco_world(scene.file, scene.tool)),
       highest_physics_rate_(
           measured_physics_rate(*world_, wanted.haptic_rate.value_or(SessionSettings{}.haptic_rate)).rate),
+      in_hand_(scene.experiment == nullptr),
       request_(request_of(scene, *world_, wanted)),
       settings_(decide(request_)),
       warnings_(scene_warnings(*world_, scene.file)),
@@ -60,14 +61,25 @@ LiveRun::LiveRun(const LiveScene& scene, const SettingsRequest& wanted)
             motion_of(scene, geometry().tool)),
       physics_(*world_, {1.0 / settings_.physics_rate, settings_.margin}, needs_of(settings_.make_method(geometry()))),
       haptics_(settings_.make_method(geometry()), geometry().tool,
-               safety_limits_of(settings_, hand_.capability(), geometry().tool), 1.0 / settings_.haptic_rate) {}
+               safety_limits_of(settings_, interface(), geometry().tool), 1.0 / settings_.haptic_rate) {}
 
 SessionSettings LiveRun::decide(const SettingsRequest& request) const {
   SettingsRequest complete = fitting(request);
   if (!complete.physics_rate) complete.physics_rate = highest_physics_rate_;
   SessionSettings settings = decide_settings(complete, geometry().tool);
   settings.gravity = world_->gravity();
-  return held_to_rating(settings, simulated_device("page").capability);
+  return held_to_rating(settings, interface());
+}
+
+InterfaceCapability LiveRun::interface() const {
+  return in_hand_ ? simulated_device("page").capability : PlaybackInterface::default_capability();
+}
+
+bool LiveRun::hand_took_over() {
+  if (in_hand_ || hand_.is_playing_exactly()) return false;
+  in_hand_ = true;
+  change(request_);
+  return true;
 }
 
 RealtimeReport LiveRun::run(const std::atomic<bool>& stop, const RealtimeObserver& observer,
@@ -113,7 +125,7 @@ void LiveRun::change(const SettingsRequest& request) {
     const SessionSettings next = decide(request);
     auto method = std::make_unique<RenderingMethod>(next.make_method(geometry()));
     const PhysicsUpdate physics{{1.0 / next.physics_rate, next.margin}, needs_of(*method)};
-    link_.haptic_updates.give({std::move(method), safety_limits_of(next, hand_.capability(), geometry().tool)});
+    link_.haptic_updates.give({std::move(method), safety_limits_of(next, interface(), geometry().tool)});
     link_.physics_updates.write(physics);
     settings_ = next;
     request_ = request;

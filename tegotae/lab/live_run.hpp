@@ -60,6 +60,10 @@ class LiveRun {
 
   // Looking.
 
+  /// To be called in each pass: true once, when an experiment's motion has ended and the hand has taken the tool. The
+  /// settings are those that the interface is rated for from then on.
+  bool hand_took_over();
+
   bool is_playing() const noexcept { return hand_.is_playing_exactly() || hand_.guide().is_playing(); }
   bool is_playing_exactly() const noexcept { return hand_.is_playing_exactly(); }
   /// Where the hand means the tool to be.
@@ -71,7 +75,9 @@ class LiveRun {
   const LiveScene& scene() const noexcept { return scene_; }
   const MujocoWorld& world() const noexcept { return *world_; }
   const SceneGeometry& geometry() const { return world_->geometry(); }
-  InterfaceCapability interface() const { return hand_.capability(); }
+  /// What the commands are for: while an experiment's motion is played exactly, whatever is displayed, an interface
+  /// without bounds; then the simulated one.
+  InterfaceCapability interface() const;
   /// What identifies the run, a line each, for the head of files.
   std::vector<std::string> notes() const;
   const SessionSettings& settings() const noexcept { return settings_; }
@@ -89,6 +95,7 @@ class LiveRun {
   LiveScene scene_;
   std::unique_ptr<MujocoWorld> world_;
   double highest_physics_rate_ = 0.0;
+  bool in_hand_;  ///< a hand feels what is commanded, and the interface's rating holds
   SettingsRequest request_;
   SessionSettings settings_;
   std::vector<std::string> warnings_;

@@ -90,6 +90,7 @@ void LiveSession::choose(const LiveScene& scene, const SettingsRequest& wanted) 
 void LiveSession::pass() {
   take_messages();
   release_silent_hand();
+  if (run_->hand_took_over()) settings_changed();
   if (motion_ && !run_->is_playing()) motion_.reset();
   watch_recording();
   const Clock::time_point now = Clock::now();

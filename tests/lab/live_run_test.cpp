@@ -176,6 +176,23 @@ TEST(LiveRun, HoldsTheCouplingToWhatTheInterfaceIsRatedFor) {
   EXPECT_LE(rotational, run.interface().max_rotational_stiffness * (1.0 + 1e-12));
 }
 
+TEST(LiveRun, AnExperimentHasItsOwnStiffnessUntilTheHandTakesTheTool) {
+  SettingsRequest wanted;
+  wanted.method = "paper";
+  Steered steered(live_scene_of(find_experiment("paper-cube")), wanted);
+  EXPECT_EQ(steered.run.settings().stiffness, 9000.0);
+  EXPECT_EQ(steered.run.settings().metric_length, 1.0);
+  bool took_over = false;
+  steered.until([&] {
+    if (steered.newest.time > 0.2) steered.run.stop_motion();
+    took_over = took_over || steered.run.hand_took_over();
+    return took_over;
+  });
+  EXPECT_EQ(steered.run.settings().stiffness, steered.run.interface().max_stiffness);
+  EXPECT_LT(steered.run.settings().metric_length, 1.0);
+  EXPECT_EQ(steered.run.request().stiffness, 9000.0) << "what was asked for is not forgotten";
+}
+
 TEST(LiveRun, SettingsOfOneMethodComeBackWithIt) {
   LiveRun run(scene("table.xml"), {});
   run.set("friction", 0.25);
