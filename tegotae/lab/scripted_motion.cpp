@@ -20,13 +20,13 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 Vector3 across(const Vector3& up_W) { return any_perpendicular(up_W); }
 
 Trajectory press(const Vector3& up_W) {
-  const SmoothPath depth({{0.0, 0.0}, {1.5, 0.08}, {2.5, 0.08}, {4.0, 0.0}});
+  const SmoothPath depth({{0.0, 0.0}, {1.5, 0.06}, {2.5, 0.06}, {4.0, 0.0}});
   return sampled(0.0, 4.0, [&](double time) { return Pose{-depth.at(time) * up_W, Quaternion::Identity()}; });
 }
 
 Trajectory tap(const Vector3& up_W) {
   constexpr double kTap = 0.5;  // s
-  const SmoothPath depth({{0.0, 0.0}, {0.15, 0.06}, {0.3, 0.0}});
+  const SmoothPath depth({{0.0, 0.0}, {0.15, 0.05}, {0.3, 0.0}});
   return sampled(0.0, 3.0 * kTap, [&](double time) {
     return Pose{-depth.at(std::fmod(time, kTap)) * up_W, Quaternion::Identity()};
   });
@@ -60,8 +60,8 @@ Trajectory push(const Vector3& up_W) {
 }
 
 constexpr ScriptedMotion kMotions[] = {
-    {"press", "down 8 cm, hold, and back", press},
-    {"tap", "three quick taps, 6 cm down", tap},
+    {"press", "down 6 cm, hold, and back", press},
+    {"tap", "three quick taps, 5 cm down", tap},
     {"circle", "down 5 cm, two rounds of 10 cm across, and back", circle},
     {"sway", "tilt by 25 degrees to all four sides", sway},
     {"push", "sideways 20 cm, and back", push},

@@ -33,8 +33,8 @@ TEST(ScriptedMotion, DownIsAgainstTheAxisThatPointsUp) {
   const ScriptedMotion& press = find_scripted_motion("press");
   for (const Vector3& up : {Vector3(Vector3::UnitZ()), Vector3(Vector3::UnitY())}) {
     const Trajectory motion = press.motion(up);
-    EXPECT_NEAR(motion.at(2.0).p.dot(up), -0.08, 1e-9);
-    EXPECT_NEAR(motion.at(2.0).p.norm(), 0.08, 1e-9);
+    EXPECT_NEAR(motion.at(2.0).p.dot(up), -0.06, 1e-9);
+    EXPECT_NEAR(motion.at(2.0).p.norm(), 0.06, 1e-9);
   }
 }
 

@@ -32,7 +32,7 @@ const rows: readonly Row[] = [
     text: ({ wrench: [, , , x, y, z] }) => withUnit(size(x, y, z), "N m") },
   { name: "depth", label: "Depth", summary: "Greatest penetration at the pose where the tool is held",
     text: ({ numbers }) => unit(numbers.depth, "m") },
-  { name: "energy", label: "Energy given",
+  { name: "energy", label: "Energy injected",
     summary: "What the rendering has given to the hand beyond what it took; a passive one stays below zero",
     text: ({ numbers }) => unit(numbers.energy, "J") },
   { name: "near_objects", label: "Near objects", summary: "Objects that may be touched within a period of the physics",
