@@ -40,7 +40,7 @@ void LiveSession::run(const std::atomic<bool>& stop) {
     frames_->add(record);
     has_ticks_ = true;
     newest_time_ = record.time;
-    if (recording_) recording_->write(record);
+    this->record(record);
     return true;
   };
   while (!stop) {
@@ -62,19 +62,18 @@ void LiveSession::begin(const LiveScene& scene, const SettingsRequest& wanted) {
   auto run = std::make_unique<LiveRun>(scene, wanted);
   run_ = std::move(run);
   frames_ = std::make_unique<FrameMaker>(run_->settings(), run_->geometry().tool.mass.centre_of_mass);
+  recording_offset_ += newest_time_ + 1.0 / run_->settings().haptic_rate;
+  newest_time_ = 0.0;
   has_ticks_ = false;
   motion_.reset();
   if (scene.experiment != nullptr) motion_ = scene.experiment->name;
   output_.send_all(shared(scene_message()));
   output_.send_all(shared(settings_message()));
+  if (recording_) record_scene();
   for (const std::string& warning : run_->warnings()) tell(NoticeLevel::kWarning, warning);
 }
 
 void LiveSession::finish_run(const RealtimeReport& report) {
-  if (recording_ && next_scene_) {
-    tell(NoticeLevel::kInfo, "the recording ended with the scene.");
-    stop_recording();
-  }
   if (!run_->trouble().empty()) tell(NoticeLevel::kWarning, run_->trouble());
   if (report.physics_error.empty()) return;
   tell(NoticeLevel::kError, fmt::format("the physics failed, and the scene starts anew: {}", report.physics_error));
@@ -207,7 +206,7 @@ void LiveSession::show() {
   }
   const SharedText message = shared(encode(frame));
   output_.publish(message);
-  if (recording_ && !frame.paused) recording_->write_state(frame.time, *message);
+  if (recording_ && !frame.paused) record_state(frame, *message);
 }
 
 void LiveSession::greet(ViewerId viewer) {
@@ -235,14 +234,14 @@ void LiveSession::settings_changed() {
   frames_->change(run_->settings());
   const std::string message = settings_message();
   output_.send_all(shared(message));
-  if (recording_) recording_->write_settings(newest_time_, message);
+  if (recording_) recording_->write_settings(recording_offset_ + newest_time_, message);
 }
 
 void LiveSession::start_recording(const std::filesystem::path& file) {
   recording_path_ = file;
+  recording_offset_ = 0.0;
   recording_ = std::make_unique<RecordingFile>(file, run_->notes(), 0.0);
-  recording_->write_scene(newest_time_, scene_message());
-  recording_->write_settings(newest_time_, settings_message());
+  record_scene();
   watch_recording();
   if (recording_) tell(NoticeLevel::kInfo, fmt::format("recording to {}.", file.string()));
 }
@@ -256,6 +255,27 @@ void LiveSession::stop_recording() {
     tell(NoticeLevel::kError, recording_->error());
   }
   recording_.reset();
+}
+
+void LiveSession::record_scene() {
+  const double time = recording_offset_ + newest_time_;
+  recording_->write_scene(time, scene_message());
+  recording_->write_settings(time, settings_message());
+}
+
+void LiveSession::record(const TickRecord& tick) {
+  if (!recording_) return;
+  TickRecord recorded = tick;
+  recorded.time += recording_offset_;
+  recording_->write(recorded);
+}
+
+void LiveSession::record_state(const ViewFrame& frame, const std::string& message) {
+  if (recording_offset_ == 0.0) return recording_->write_state(frame.time, message);
+  ViewFrame recorded = frame;
+  recorded.time += recording_offset_;
+  for (ViewedSample& sample : recorded.samples) sample.time += recording_offset_;
+  recording_->write_state(recorded.time, encode(recorded));
 }
 
 // A disk that is full ends the recording, and nothing else.

@@ -76,6 +76,9 @@ class LiveSession {
   void start_recording(const std::filesystem::path& file);
   void stop_recording();
   void watch_recording();
+  void record(const TickRecord& tick);
+  void record_state(const ViewFrame& frame, const std::string& message);
+  void record_scene();
 
   LiveSessionOptions options_;
   ViewerOutput output_;
@@ -95,7 +98,8 @@ class LiveSession {
   std::optional<std::string> motion_;
   std::unique_ptr<RecordingFile> recording_;
   std::filesystem::path recording_path_;
-  double newest_time_ = 0.0;  ///< s, of the run
+  double newest_time_ = 0.0;       ///< s, of the run
+  double recording_offset_ = 0.0;  ///< s, from the time of the run to that of the recording: it outlives runs
 };
 
 }  // namespace tegotae

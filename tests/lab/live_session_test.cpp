@@ -242,6 +242,37 @@ TEST(LiveSession, RecordsWhatThePagesSaw) {
   EXPECT_GT(topics["/tegotae/tick"], 500);
 }
 
+TEST(LiveSession, ARecordingGoesOnThroughScenesAndItsTimeNeverFalls) {
+  const TemporaryFolder folder;
+  LiveSessionOptions options = table();
+  options.file = folder.path() / "run.mcap";
+  {
+    Pages pages(options);
+    pages.inbox().joined(1);
+    pages.state([](const Json& s) { return s["t"] > 0.3; });
+    pages.say(1, {{"type", "reset"}});
+    pages.state([](const Json& s) { return s["t"] < 0.2; });
+    pages.state([](const Json& s) { return s["t"] > 0.3; });
+    pages.say(1, {{"type", "scene"}, {"name", "cube-on-floor.xml"}});
+    pages.message(1, "scene", [](const Json& s) { return s["name"] == "cube-on-floor.xml"; });
+    pages.state([](const Json& s) { return s["t"] < 0.2; });
+    pages.state([](const Json& s) { return s["t"] > 0.3 && s["recording"] == true; });
+  }
+  std::vector<std::string> scenes;
+  std::map<std::string, double> before;
+  read_mcap(*options.file, [&](const McapMessage& message) {
+    const Json content = Json::parse(message.data);
+    const std::string topic(message.topic);
+    if (topic == "/tegotae/scene") scenes.push_back(content["name"]);
+    if (!content.contains("t")) return;
+    ASSERT_GT(content["t"].get<double>(), before.emplace(topic, -1.0).first->second) << topic;
+    before[topic] = content["t"];
+  });
+  EXPECT_EQ(scenes, (std::vector<std::string>{"table.xml", "table.xml", "cube-on-floor.xml"}));
+  EXPECT_GT(before["/tegotae/tick"], 0.9);
+  EXPECT_GT(before["/tegotae/state"], 0.9);
+}
+
 TEST(LiveSession, AFullDiskEndsTheRecordingAndNothingElse) {
   LiveSessionOptions options = table();
   options.file = "/dev/full";
