@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/simulated_presets.hpp>
 #include <tegotae/lab/experiment.hpp>
+#include <tegotae/lab/free_body_stiffness.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/live_run.hpp>
 #include <tegotae/lab/numeric_setting.hpp>
@@ -68,7 +69,7 @@ SessionSettings LiveRun::decide(const SettingsRequest& request) const {
   if (!complete.physics_rate) complete.physics_rate = highest_physics_rate_;
   SessionSettings settings = decide_settings(complete, geometry().tool);
   settings.gravity = world_->gravity();
-  return held_to_rating(settings, interface());
+  return held_to_bodies(held_to_rating(settings, interface()), geometry());
 }
 
 InterfaceCapability LiveRun::interface() const {
@@ -109,6 +110,7 @@ void LiveRun::set(std::string_view name, std::optional<double> value) {
     throw InputError(
         fmt::format("the scene affords a physics rate of at most {:g} Hz on this machine.", highest_physics_rate_));
   }
+  if (value) check_bodies_bear(name, *value, geometry(), settings_.physics_rate);
   if (name == "metric_length") next.rotational_stiffness.reset();
   if (name == "rotational_stiffness") next.metric_length.reset();
   change(next);

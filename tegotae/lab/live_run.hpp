@@ -41,7 +41,8 @@ class LiveRun {
   // Steering.
 
   /// Changes one setting from the next tick or step on; no value: the scene's or the default. Throws InputError, and
-  /// then nothing has changed.
+  /// then nothing has changed. Stiffness and damping are held to what interface and moving bodies bear: `settings` says
+  /// what holds.
   void set(std::string_view name, std::optional<double> value);
   /// Another method; settings that it does not have are kept for the next one that has them. Throws InputError.
   void set_method(std::string_view name);

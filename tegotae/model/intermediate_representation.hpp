@@ -56,8 +56,10 @@ struct NearPieces {
 struct NearBody {
   std::int32_t moving_index = -1;
   PlainPose X_WB;
-  PlainTwist V_WB;    ///< of the centre of mass, world axes
-  PlainVector3 p_WC;  ///< centre of mass, m
+  PlainTwist V_WB;               ///< of the centre of mass, world axes
+  PlainVector3 p_WC;             ///< centre of mass, m
+  double mass = 0.0;             ///< kg; 0: unknown
+  double gyration_length = 0.0;  ///< m
 };
 
 /// All that crosses from physics to haptics (paper, section 4.2; Adachi et al. 1995), extended to planes and points.

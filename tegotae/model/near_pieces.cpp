@@ -14,8 +14,8 @@ int near_body_of(const Body& body, std::span<const BodyState> states, Intermedia
   }
   if (model.body_count == kMaxNearBodies) return kNoRoom;
   const BodyState& state = states[static_cast<size_t>(body.moving_index)];
-  model.bodies[static_cast<size_t>(model.body_count)] = {body.moving_index, state.X_WB, state.V_WB,
-                                                         state.X_WB * body.p_BC};
+  model.bodies[static_cast<size_t>(model.body_count)] = {body.moving_index,      state.X_WB, state.V_WB,
+                                                         state.X_WB * body.p_BC, body.mass,  body.gyration_length};
   return model.body_count++;
 }
 

@@ -18,6 +18,8 @@ struct Body {
   Pose X_WB;                       ///< pose of a static body; the first pose of a moving one
   int moving_index = -1;           ///< place among the moving bodies, or -1: static
   Vector3 p_BC = Vector3::Zero();  ///< centre of mass on the body, m (moving bodies)
+  double mass = 0.0;               ///< kg, without what joints link to it; 0: unknown (moving bodies)
+  double gyration_length = 0.0;    ///< m, sqrt(tr I / 3m) about the centre of mass; 0: unknown (moving bodies)
 };
 
 /// The object that the hand holds.

@@ -33,12 +33,26 @@ class BodyWrenches {
   /// at `length` (m). Nothing displayed: nothing received. A body is pushed with no more than
   /// `kGreatestAmplification` times what the hand feels, force and torque over `length` together: bodies that squeeze
   /// the tool between them are not driven apart by forces of which the hand knows nothing.
-  void share(const Wrench& displayed, const Vector3& centre_W, double length) noexcept;
+  ///
+  /// Of a body whose mass `near` tells, what goes beyond what the hand feels is also held to what gives it
+  /// `kFastestThrow` in a physics period of `period` (s), and the torque to that force at an arm of `kLongestArm`
+  /// gyration lengths: before the period is over nobody knows where the body has gone, and a light one would be thrown
+  /// away.
+  void share(const Wrench& displayed, const Vector3& centre_W, double length, std::span<const NearBody> near = {},
+             double period = 0.0) noexcept;
 
   /// A wedge of 6 degrees multiplies the force on the tool by about ten.
   static constexpr double kGreatestAmplification = 10.0;
 
+  /// m/s: half the speed of a brisk hand.
+  static constexpr double kFastestThrow = 0.5;
+
+  /// No corner of a uniform body is further from its centre of mass: a thin rod's ends are at 2.1, a cube's corners
+  /// too.
+  static constexpr double kLongestArm = 3.0;
+
   std::span<const BodyWrench> moving() const noexcept { return {bodies_.data(), static_cast<std::size_t>(count_)}; }
+  std::span<BodyWrench> moving() noexcept { return {bodies_.data(), static_cast<std::size_t>(count_)}; }
 
  private:
   BodyWrench* find_or_add(int moving_index, const Vector3& p_WC) noexcept;

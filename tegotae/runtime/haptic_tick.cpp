@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/render/receding_bodies.hpp>
 #include <tegotae/runtime/haptic_tick.hpp>
 
 #include <algorithm>
@@ -6,6 +7,13 @@
 #include <utility>
 
 namespace tegotae {
+namespace {
+
+std::span<const NearBody> bodies_near(const IntermediateRepresentation& model) noexcept {
+  return {model.bodies.data(), static_cast<size_t>(model.body_count)};
+}
+
+}  // namespace
 
 HapticTick::HapticTick(RenderingMethod method, const Tool& tool, const SafetyLimits& limits, double period)
     : method_(std::make_unique<RenderingMethod>(std::move(method))),
@@ -25,17 +33,18 @@ InterfaceCommand HapticTick::operator()(const InterfaceState& state, const Inter
   const IntermediateRepresentation& model = model_at(state_.time, fresh);
   model_ = &model;
 
+  const Vector3 p_WCm = state_.X_WT * p_TCm_;
+  const Vector3 arm = p_WCm - state_.X_WT.p;
   render(*method_, {model, state_.X_WT, dt_}, rendered_);
+  yield_to_receding(bodies_near(model), {state_.V_WT.at(arm), state_.V_WT.angular}, p_WCm, rendered_);
   if (!pose_valid_) {
     rendered_.wrench = {};
     rendered_.status = RenderStatus::kInvalidInput;
   }
 
-  const Vector3 p_WCm = state_.X_WT * p_TCm_;
-  const Vector3 arm = p_WCm - state_.X_WT.p;
   const SafetyOutput safe = limit(model, state_.time, arm, circumstances);
   const Wrench displayed = safe.displayed.shifted(-arm);  // about the centre of mass
-  push_bodies(displayed, p_WCm);
+  push_bodies(model, displayed, p_WCm);
 
   record.safety_events = safe.events;
   write(model, displayed, record);
@@ -90,8 +99,9 @@ SafetyOutput HapticTick::limit(const IntermediateRepresentation& model, double t
   return apply_safety(limits_, safety_, input);
 }
 
-void HapticTick::push_bodies(const Wrench& displayed, const Vector3& p_WCm) noexcept {
-  rendered_.bodies.share(displayed, p_WCm, length_);
+void HapticTick::push_bodies(const IntermediateRepresentation& model, const Wrench& displayed,
+                             const Vector3& p_WCm) noexcept {
+  rendered_.bodies.share(displayed, p_WCm, length_, bodies_near(model), model.period);
   for (const BodyWrench& body : rendered_.bodies.moving()) {
     impulses_.add(body.moving_index, body.on_body.shifted(body.p_WC), dt_);  // about the world's origin
   }

@@ -54,7 +54,7 @@ class HapticTick {
   double elapsed_until(double time) noexcept;
   SafetyOutput limit(const IntermediateRepresentation& model, double time, const Vector3& arm,
                      const Circumstances& circumstances) noexcept;
-  void push_bodies(const Wrench& displayed, const Vector3& p_WCm) noexcept;
+  void push_bodies(const IntermediateRepresentation& model, const Wrench& displayed, const Vector3& p_WCm) noexcept;
   void write(const IntermediateRepresentation& model, const Wrench& displayed, TickRecord& record) const noexcept;
 
   std::unique_ptr<RenderingMethod> method_;

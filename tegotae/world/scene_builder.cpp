@@ -12,6 +12,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tegotae {
 namespace {
@@ -68,6 +69,11 @@ bool is_moving(const mjModel& m, int body) {
   return m.body_weldid[body] != 0 && m.body_dofnum[m.body_weldid[body]] > 0;
 }
 
+double gyration_length_of(const mjModel& m, int body) {
+  const double mass = m.body_mass[body];
+  return mass > 0.0 ? std::sqrt(vector_from(m.body_inertia, body).sum() / (3.0 * mass)) : 0.0;
+}
+
 // Pieces come in the order of their bodies, as MuJoCo's geoms do.
 void add_bodies(const mjModel& m, const mjData& d, const std::vector<GeomPiece>& pieces, BuiltScene& built) {
   int last_body = -1;
@@ -80,6 +86,8 @@ void add_bodies(const mjModel& m, const mjData& d, const std::vector<GeomPiece>&
       if (is_moving(m, id)) {
         body.moving_index = static_cast<int>(built.moving_bodies.size());
         body.p_BC = vector_from(m.body_ipos, id);
+        body.mass = m.body_mass[id];
+        body.gyration_length = gyration_length_of(m, id);
         built.moving_bodies.push_back(id);
       }
       last_body = id;
