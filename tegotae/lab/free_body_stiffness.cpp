@@ -31,9 +31,10 @@ SessionSettings held_to_bodies(SessionSettings settings, const SceneGeometry& ge
 void check_bodies_bear(std::string_view name, double value, const SceneGeometry& geometry, double physics_rate) {
   const CouplingLimits limits = coupling_limits_for_bodies(geometry, physics_rate);
   const auto refuse = [&](double most, const char* unit) {
-    throw InputError(fmt::format("the free bodies of this scene bear a {} of at most {:g} {} with physics at {:g} Hz; "
-                                 "raise the physics rate first.",
-                                 name, most, unit, physics_rate));
+    throw InputError(
+        fmt::format("the free bodies of this scene bear a {} of at most {:g} {} with physics at {:g} Hz; "
+                    "raise the physics rate first.",
+                    name, most, unit, physics_rate));
   };
   if (name == "stiffness" && value > limits.stiffness) refuse(limits.stiffness, "N/m");
   if (name == "damping" && value > limits.damping) refuse(limits.damping, "N s/m");

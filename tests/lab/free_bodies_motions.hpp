@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tegotae/math/pose.hpp>
 #include <tegotae/math/rotation.hpp>
 
-#include <functional>
+#include <algorithm>
+#include <cstdint>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -56,7 +59,7 @@ struct NamedWay {
 
 /// What a newcomer does to the boxes of table.xml with the probe.
 inline std::vector<NamedWay> table_ways() {
-  const double down = 0.5 * 3.14159265358979;
+  const double down = 0.5 * std::numbers::pi;
   std::vector<NamedWay> ways;
   const auto add = [&ways](const char* name, HandWay way) { ways.push_back({name, std::move(way)}); };
   add("push the stack at 0.1 m/s", HandWay({-0.22, 0.05, 0.49}).to({0.02, 0.05, 0.49}, 0.1).rest(1.0));

@@ -4,6 +4,7 @@
 #include <tegotae/contact/penetration.hpp>
 #include <tegotae/device/live_hand.hpp>
 #include <tegotae/device/simulated_presets.hpp>
+#include <tegotae/lab/free_body_stiffness.hpp>
 #include <tegotae/lab/session.hpp>
 #include <tegotae/runtime/simulated_session.hpp>
 #include <tegotae/world/mujoco_world.hpp>
@@ -75,7 +76,7 @@ class WatchedWorld final : public World {
 struct FreeBodiesOutcome {
   double tool_speed = 0.0;    ///< m/s, greatest of the hand's tool
   double body_speed = 0.0;    ///< m/s, greatest of a centre of mass, what falling alone gives taken off
-  double excess_speed = 0.0;  ///< m/s, greatest of that beyond twice the tool's speed until then
+  double excess_speed = 0.0;  ///< m/s, greatest of that beyond 1.5 times the tool's speed until then
   double injected = 0.0;      ///< J, greatest that bodies received beyond what the hand gave
   double given = 0.0;         ///< J, that bodies received in all
   double highest = 0.0;       ///< m, that a body rose above its first place
@@ -107,8 +108,9 @@ class FreeBodiesRig {
                         needs_of(settings.make_method(watched.geometry())));
     HapticTick haptics(settings.make_method(watched.geometry()), tool,
                        safety_limits_of(settings, device.capability, tool), 1.0 / settings.haptic_rate);
+    constexpr double kToolRadius = 0.065;  // m
     FreeBodiesOutcome out;
-    double given = 0.0, first = 0.0;
+    double given = 0.0;
     Wrench before;
     Pose X_WT_before = target(0.0);
     std::vector<double> changes, forces;
@@ -123,8 +125,8 @@ class FreeBodiesRig {
       const Vector6 way = displacement(X_WT_before, X_WT, tool.mass.centre_of_mass);
       given -= before.force.dot(way.head<3>()) + before.torque.dot(way.tail<3>());
       out.tool_speed =
-          std::max(out.tool_speed, (way.head<3>().norm() + way.tail<3>().norm() * 0.065) * settings.haptic_rate);
-      out.injected = std::max(out.injected, watched.work() - given - first);
+          std::max(out.tool_speed, (way.head<3>().norm() + way.tail<3>().norm() * kToolRadius) * settings.haptic_rate);
+      out.injected = std::max(out.injected, watched.work() - given);
       out.given = watched.work();
       out.force = std::max(out.force, displayed.force.norm());
       if (record.time > duration - 0.5) {
@@ -165,7 +167,7 @@ class FreeBodiesRig {
       const double fallen = std::max(0.0, first_height - state.X_WB.p.z());
       const double speed = std::sqrt(std::max(0.0, state.V_WB.linear.squaredNorm() - 2.0 * kGravity * fallen));
       out.body_speed = std::max(out.body_speed, speed);
-      out.excess_speed = std::max(out.excess_speed, speed - 2.0 * out.tool_speed);
+      out.excess_speed = std::max(out.excess_speed, speed - 1.5 * out.tool_speed);
       out.highest = std::max(out.highest, state.X_WB.p.z() - first_height);
       const BoundingBox box = bounding_box(body->pieces.front(), state.X_WB);
       out.lowest_gap = std::min(out.lowest_gap, box.lower.z());
@@ -184,11 +186,18 @@ class FreeBodiesRig {
   }
 };
 
+/// As a live run would have them.
+inline SessionSettings as_live(const SessionSettings& settings, const SceneGeometry& geometry) {
+  return held_to_bodies(held_to_rating(settings, simulated_device("page").capability), geometry);
+}
+
+/// Those of table.xml.
 inline SessionSettings table_settings() {
   const auto world = load_mujoco_world(TEGOTAE_SCENES "/table.xml", "tool");
   SessionSettings settings =
       decide_settings(settings_of(world->haptic_settings(), "table.xml"), world->geometry().tool);
-  return held_to_rating(settings, simulated_device("page").capability);
+  settings.gravity = world->gravity();
+  return as_live(settings, world->geometry());
 }
 
 }  // namespace tegotae::testing

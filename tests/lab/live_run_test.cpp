@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/experiment.hpp>
+#include <tegotae/lab/free_body_stiffness.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/live_messages.hpp>
 #include <tegotae/lab/live_run.hpp>
@@ -191,6 +192,24 @@ TEST(LiveRun, AnExperimentHasItsOwnStiffnessUntilTheHandTakesTheTool) {
   EXPECT_EQ(steered.run.settings().stiffness, steered.run.interface().max_stiffness);
   EXPECT_LT(steered.run.settings().metric_length, 1.0);
   EXPECT_EQ(steered.run.request().stiffness, 9000.0) << "what was asked for is not forgotten";
+}
+
+TEST(LiveRun, HoldsTheCouplingToWhatTheFreeBodiesBear) {
+  SettingsRequest wanted;
+  wanted.stiffness = 500.0;
+  wanted.physics_rate = 20.0;  // which every machine affords
+  LiveRun run(scene("table.xml"), wanted);
+  const double borne = coupling_limits_for_bodies(run.geometry(), 20.0).stiffness;
+  EXPECT_LT(borne, 500.0);
+  EXPECT_EQ(run.settings().stiffness, borne);
+  const SessionSettings before = run.settings();
+  EXPECT_THROW(run.set("stiffness", 1.01 * borne), InputError);
+  EXPECT_THROW(run.set("damping", 100.0), InputError);
+  EXPECT_EQ(run.settings().lines(), before.lines());
+  run.set("physics_rate", 10.0);
+  EXPECT_DOUBLE_EQ(run.settings().stiffness, borne / 4.0) << "lowered with the rate";
+  run.set("physics_rate", 20.0);
+  EXPECT_EQ(run.settings().stiffness, borne) << "what was asked for is not forgotten";
 }
 
 TEST(LiveRun, SettingsOfOneMethodComeBackWithIt) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/render/body_wrenches.hpp>
+#include <tegotae/shape/mass_properties.hpp>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
 
 namespace tegotae {
 namespace {
@@ -119,6 +123,51 @@ TEST(BodyWrenches, AsManyBodiesAsPlanes) {
   BodyWrenches bodies;
   for (int i = 0; i < kMaxPlanes; ++i) bodies.add(plane_of(i, Vector3::Zero()), Vector3::Zero(), Vector3::UnitX());
   EXPECT_EQ(bodies.moving().size(), static_cast<size_t>(kMaxPlanes));
+}
+
+// Two boxes squeeze the tool, which feels one fortieth of what they push with.
+TEST(BodyWrenches, ALightBodyIsNotThrownByWhatTheHandDoesNotFeel) {
+  const double period = 0.01;
+  const auto pushed = [period](double mass, double gyration_length) {
+    std::vector<NearBody> near(2);
+    near[0].moving_index = 0;
+    near[0].mass = mass;
+    near[0].gyration_length = gyration_length;
+    near[1].moving_index = 1;
+    BodyWrenches bodies;
+    bodies.add(0, Vector3::Zero(), Vector3(0.0, 0.5, 0.0), Vector3(41.0, 0.0, 0.0), Vector3::Zero());
+    bodies.add(1, Vector3::Zero(), Vector3(0.0, 0.5, 0.0), Vector3(-40.0, 0.0, 0.0), Vector3::Zero());
+    const Wrench displayed{Vector3(-1.0, 0.0, 0.0), Vector3(0.0, 0.0, 0.5)};
+    bodies.share(displayed, Vector3::Zero(), 1.0, near, period);
+    return bodies.moving()[0].on_body;
+  };
+  const double shown = std::sqrt(1.25);
+  EXPECT_NEAR(pushed(0.001, 10.0).force.norm(), shown, 1e-12) << "what is felt, it gets";
+  EXPECT_NEAR(pushed(0.1, 10.0).force.norm(), 0.1 * BodyWrenches::kFastestThrow / period, 1e-12);
+  EXPECT_NEAR(pushed(100.0, 10.0).force.norm(), BodyWrenches::kGreatestAmplification * shown, 1e-12);
+  EXPECT_NEAR(pushed(0.0, 0.0).force.norm(), BodyWrenches::kGreatestAmplification * shown, 1e-12) << "unknown";
+  // A couple: no more torque than the force that it may have, at the longest arm.
+  const Wrench turned = pushed(0.1, 0.02);
+  EXPECT_NEAR(turned.torque.norm(), 5.0 * BodyWrenches::kLongestArm * 0.02, 1e-12);
+  EXPECT_NEAR(turned.torque.norm(), 0.5 * turned.force.norm(), 1e-12) << "one factor for both";
+}
+
+// The corners of boxes and the ends of rods are within the longest arm: a push at one is not cut.
+TEST(BodyWrenches, APushAtACornerIsReceivedWhole) {
+  for (const Vector3& half : {Vector3(0.02, 0.02, 0.015), Vector3(0.5, 0.001, 0.001), Vector3(0.1, 0.1, 0.001)}) {
+    const MassProperties mass = mass_properties(make_box(half), 1000.0);
+    std::vector<NearBody> near(1);
+    near[0].moving_index = 0;
+    near[0].mass = mass.mass;
+    near[0].gyration_length = mass.gyration_length();
+    for (const Vector3& along : {Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0), Vector3(0.0, 0.0, 1.0)}) {
+      BodyWrenches bodies;
+      bodies.add(0, Vector3::Zero(), half, 12.0 * along, Vector3::Zero());
+      bodies.share({-12.0 * along, Vector3::Zero()}, half, 0.03, near, 0.002);
+      EXPECT_LT((bodies.moving()[0].on_body.force - 12.0 * along).norm(), 1e-12);
+      EXPECT_LT((bodies.moving()[0].on_body.torque - half.cross(12.0 * along)).norm(), 1e-12);
+    }
+  }
 }
 
 }  // namespace
