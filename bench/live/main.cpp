@@ -5,11 +5,16 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <exception>
 #include <fstream>
+#include <stdexcept>
+#include <string>
 
-int main(int argc, char** argv) {
-  using namespace tegotae::bench;
+namespace tegotae::bench {
+namespace {
+
+int run(int argc, char** argv) {
   CLI::App program(
       "Measures what viewers cost the haptic tick of 'tegotae serve', and how old what they get is. The program runs "
       "in a process of its own and plays a motion in a loop, in blocks without and with viewers by turns; this process "
@@ -29,15 +34,22 @@ int main(int argc, char** argv) {
   program.add_option("--motion", plan.motion, "Scripted motion to play")->capture_default_str();
   program.add_option("--json", json, "File for the figures");
   CLI11_PARSE(program, argc, argv);
-  try {
-    const SessionFigures figures = measure(plan);
-    fmt::print("{}", text_of(figures));
-    if (!json.empty() && !(std::ofstream(json) << json_of(figures) << '\n')) {
-      throw std::runtime_error(json + " cannot be written");
-    }
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "bench_live: {}\n", error.what());
-    return 1;
+  const SessionFigures figures = measure(plan);
+  fmt::print("{}", text_of(figures));
+  if (!json.empty() && !(std::ofstream(json) << json_of(figures) << '\n')) {
+    throw std::runtime_error(json + " cannot be written");
   }
   return 0;
+}
+
+}  // namespace
+}  // namespace tegotae::bench
+
+int main(int argc, char** argv) {
+  try {
+    return tegotae::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_live: %s\n", error.what());
+    return 1;
+  }
 }

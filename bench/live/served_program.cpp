@@ -43,6 +43,7 @@ ServedProgram::ServedProgram(const std::vector<std::string>& command) {
     wait_for_address();
   } catch (...) {
     close(output_);
+    kill(process_, SIGINT);
     waitpid(process_, nullptr, 0);
     throw;
   }
