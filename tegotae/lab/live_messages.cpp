@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/experiment.hpp>
+#include <tegotae/lab/free_body_stiffness.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/live_messages.hpp>
 #include <tegotae/lab/scene_file.hpp>
@@ -24,9 +25,13 @@ bool is_fixed(const ShownSetting& setting) {
 
 std::string live_settings_message(const LiveRun& run) {
   std::vector<ShownSetting> shown = shown_settings(run.settings());
+  const CouplingLimits limits = coupling_limits_for_bodies(run.geometry(), run.settings().physics_rate);
   shown.erase(std::remove_if(shown.begin(), shown.end(), is_fixed), shown.end());
   for (ShownSetting& setting : shown) {
-    if (setting.name == "stiffness") setting.most = std::min(setting.most, run.interface().max_stiffness);
+    if (setting.name == "stiffness") {
+      setting.most = std::min({setting.most, run.interface().max_stiffness, limits.stiffness});
+    }
+    if (setting.name == "damping") setting.most = std::min(setting.most, limits.damping);
     if (setting.name == "physics_rate") setting.most = std::min(setting.most, run.highest_physics_rate());
   }
   return encode_settings(run.settings().method, shown);

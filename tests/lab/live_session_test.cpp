@@ -176,7 +176,13 @@ TEST(LiveSession, ASettingIsToldToAllAndARefusalToOne) {
   EXPECT_NE(pages.message(2, "notice", [](const Json& n) { return n["level"] == "error"; })["text"], "");
   EXPECT_EQ(value(pages.message(2, "settings"), "stiffness"), 800.0) << "what holds is shown again";
   pages.say(1, {{"type", "method"}, {"name", "ortega"}});
-  pages.message(2, "settings", [](const Json& s) { return s["method"] == "ortega"; });
+  const Json settings = pages.message(2, "settings", [](const Json& s) { return s["method"] == "ortega"; });
+  // What is said to be the most can be set.
+  for (const Json& one : settings["values"]) {
+    if (one["name"] != "stiffness") continue;
+    pages.say(1, {{"type", "set"}, {"name", "stiffness"}, {"value", one["most"]}});
+    pages.message(2, "settings", [&](const Json& s) { return value(s, "stiffness") == one["most"].get<double>(); });
+  }
 }
 
 TEST(LiveSession, StandsStillWhilePausedAndStartsAnewWhenResetEvenThen) {
