@@ -26,8 +26,8 @@ GuidedMotion::~GuidedMotion() { delete script_; }
 void GuidedMotion::guide(const Pose& X_WT) { orders_.write({++number_, false, X_WT}); }
 
 void GuidedMotion::play(Trajectory script) {
-  playing_.store(true, std::memory_order_release);
-  scripts_.give({++number_, std::move(script)});
+  given_ = ++number_;
+  scripts_.give({given_, std::move(script)});
 }
 
 void GuidedMotion::stop() { orders_.write({++number_, true, {}}); }
@@ -52,8 +52,9 @@ Pose GuidedMotion::at(double time) noexcept {
   return X_WH_;
 }
 
-void GuidedMotion::place(const Pose& X_WT) noexcept {
+void GuidedMotion::place(double time, const Pose& X_WT) noexcept {
   end_script();
+  time_ = time;
   X_WH_ = target_ = X_WT;
   reached_.write(X_WH_);
 }
@@ -71,8 +72,8 @@ void GuidedMotion::take_script() noexcept {
   ScriptEnvelope* const next = scripts_.take();
   if (next == nullptr) return;
   if (next->content.number < taken_) {
+    ended_.store(next->content.number, std::memory_order_release);
     scripts_.give_back(next);
-    if (script_ == nullptr) playing_.store(false, std::memory_order_release);
     return;
   }
   taken_ = next->content.number;
@@ -80,12 +81,12 @@ void GuidedMotion::take_script() noexcept {
   script_ = next;
   script_begin_ = time_;
   X_WH_script_ = X_WH_;
-  playing_.store(true, std::memory_order_release);
 }
 
 void GuidedMotion::end_script() noexcept {
-  playing_.store(false, std::memory_order_release);
-  if (script_ != nullptr) scripts_.give_back(std::exchange(script_, nullptr));
+  if (script_ == nullptr) return;
+  ended_.store(script_->content.number, std::memory_order_release);
+  scripts_.give_back(std::exchange(script_, nullptr));
 }
 
 Pose GuidedMotion::scripted(double time) const noexcept {

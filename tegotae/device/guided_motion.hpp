@@ -38,15 +38,15 @@ class GuidedMotion final : public IntendedMotion {
   Pose intended();
 
   /// Whether a script has not come to its end.
-  bool is_playing() const noexcept { return playing_.load(std::memory_order_acquire); }
+  bool is_playing() const noexcept { return given_ > ended_.load(std::memory_order_acquire); }
 
   // The hand.
 
   Pose start() const noexcept override { return start_; }
   Pose at(double time) noexcept override;
 
-  /// The hand is elsewhere and means to stay there (what plays ends).
-  void place(const Pose& X_WT) noexcept;
+  /// At `time` (s) the hand is elsewhere and means to stay there (what plays ends).
+  void place(double time, const Pose& X_WT) noexcept;
 
  private:
   struct Order {
@@ -68,13 +68,15 @@ class GuidedMotion final : public IntendedMotion {
 
   Pose start_;
 
-  std::uint64_t number_ = 0;  ///< of the last order or script: the one who guides
+  // Of the one who guides.
+  std::uint64_t number_ = 0;  ///< of the last order or script
+  std::uint64_t given_ = 0;   ///< of the last script
 
   // Between the threads.
   LatestValue<Order> orders_;
   Mailbox<Script> scripts_;
   LatestValue<PlainPose> reached_;
-  std::atomic<bool> playing_{false};
+  std::atomic<std::uint64_t> ended_{0};  ///< number of the last script that has come to its end
 
   // The hand's.
   Pose X_WH_;

@@ -23,15 +23,23 @@ LiveHand::LiveHand(std::unique_ptr<GuidedMotion> guide, const SimulatedDevice& d
 }
 
 InterfaceStatus LiveHand::read(double time, InterfaceState& state) noexcept {
-  if (!exactly_.load(std::memory_order_relaxed)) return hand_.read(time, state);
+  if (!exactly_.load(std::memory_order_relaxed)) {
+    const InterfaceStatus status = hand_.read(time, state);
+    if (status != InterfaceStatus::kOk) take_at(time, hand_.grip().X_WG);
+    return status;
+  }
   const InterfaceStatus status = playback_->read(time, state);
   const Trajectory& motion = playback_->trajectory();
   if (time >= motion.end() - motion.start() || interrupted_.load(std::memory_order_acquire)) {
-    guide_->place(state.X_WT);
-    hand_.restart(time, state.X_WT);
+    take_at(time, state.X_WT);
     exactly_.store(false, std::memory_order_release);
   }
   return status;
+}
+
+void LiveHand::take_at(double time, const Pose& X_WT) noexcept {
+  guide_->place(time, X_WT);
+  hand_.restart(time, X_WT);
 }
 
 InterfaceStatus LiveHand::write(const InterfaceCommand& command) noexcept {

@@ -12,7 +12,9 @@ namespace tegotae {
 
 /// The interface of a session without a device: a simulated interface in a simulated hand that a person guides. It may
 /// begin by playing a motion exactly, as experiments do, whatever is displayed; after that, or when it is interrupted,
-/// the hand takes the tool where it is. `read` and `write` do not allocate.
+/// the hand takes the tool where it is. Where nothing was read for over a second (a program that was stopped, a machine
+/// that was suspended) the interface is lost for one reading, and then held where it was. `read` and `write` do not
+/// allocate.
 class LiveHand final : public HapticInterface {
  public:
   /// At `start`, guided; or, with `exact`, at its start and playing it. Throws as SimulatedHandInterface.
@@ -34,6 +36,9 @@ class LiveHand final : public HapticInterface {
  private:
   LiveHand(std::unique_ptr<GuidedMotion> guide, const SimulatedDevice& device, const HandImpedance& hand,
            std::optional<Trajectory>&& exact);
+
+  /// The hand holds the tool there from `time` (s) on, at rest.
+  void take_at(double time, const Pose& X_WT) noexcept;
 
   GuidedMotion* guide_;  ///< of hand_
   SimulatedHandInterface hand_;

@@ -98,8 +98,25 @@ TEST(GuidedMotion, IsPlacedElsewhereAndForgetsItsTarget) {
   GuidedMotion motion(at_x(0.0));
   motion.guide(at_x(1.0));
   motion.at(kPeriod);
-  motion.place(at_x(5.0));
+  motion.place(0.5, at_x(5.0));
   EXPECT_EQ(motion.at(1.0).p.x(), 5.0);
+}
+
+TEST(GuidedMotion, DoesNotLeapAfterItWasPlaced) {
+  GuidedMotion motion(at_x(0.0));
+  motion.guide(at_x(1.0));
+  motion.place(7.0, at_x(0.0));
+  EXPECT_LE(motion.at(7.0 + kPeriod).p.x(), 1.0 * kPeriod * (1.0 + 1e-9)) << "whatever went by before";
+}
+
+TEST(GuidedMotion, AScriptThatWaitsIsPlayingThoughTheHandWasPlacedMeanwhile) {
+  GuidedMotion motion(at_x(0.0));
+  motion.play(shift(1.0, 1.0));
+  motion.place(0.0, at_x(2.0));
+  EXPECT_TRUE(motion.is_playing());
+  motion.at(0.0);
+  EXPECT_NEAR(motion.at(1.0).p.x(), 3.0, 1e-12);
+  EXPECT_FALSE(motion.is_playing());
 }
 
 TEST(GuidedMotion, AllocatesNothingForTheHand) {

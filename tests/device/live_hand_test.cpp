@@ -64,6 +64,29 @@ TEST(LiveHand, IsInterrupted) {
   EXPECT_NEAR(rig.state.V_WT.linear.x(), 0.0, 1e-6);
 }
 
+TEST(LiveHand, TakesTheToolFromAMotionWithoutALeap) {
+  Rig rig(Trajectory({{0.0, at_x(0.0)}, {10.0, at_x(0.0)}}));
+  rig.run(5001);
+  rig.hand.interrupt();
+  rig.hand.guide().guide(at_x(1.0));
+  rig.run(51);
+  EXPECT_LE(rig.hand.guide().intended().p.x(), 0.05 * (1.0 + 1e-9)) << "it comes at 1 m/s at most";
+  EXPECT_LE(rig.state.X_WT.p.x(), 0.05);
+}
+
+TEST(LiveHand, IsLostForOneReadingAfterTheProgramWasStoppedAndHoldsTheToolWhereItWas) {
+  Rig rig;
+  rig.hand.guide().guide(at_x(0.1));
+  rig.run(2000);
+  rig.count += 5000;
+  EXPECT_EQ(rig.hand.read(kPeriod * rig.count++, rig.state), InterfaceStatus::kLost);
+  rig.run(100);
+  EXPECT_NEAR(rig.state.X_WT.p.x(), 0.1, 1e-4);
+  rig.hand.guide().guide(at_x(0.2));
+  rig.run(2000);
+  EXPECT_NEAR(rig.state.X_WT.p.x(), 0.2, 1e-4);
+}
+
 TEST(LiveHand, AScriptAfterAMotionTakesItsOwnTime) {
   Rig rig(Trajectory({{0.0, at_x(0.0)}, {1.0, at_x(0.0)}}));
   rig.run(500);
