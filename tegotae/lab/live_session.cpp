@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 namespace tegotae {
@@ -45,22 +47,42 @@ void LiveSession::run(const std::atomic<bool>& stop) {
   };
   while (!stop) {
     finish_run(run_->run(stop, observer, [this] { pass(); }));
-    if (stop || !next_scene_) continue;
+    begin_next(stop);
+  }
+  stop_recording();
+}
+
+// What was chosen; where it cannot be run, what has run until now; where that cannot either (its file has changed,
+// say), what is chosen then.
+void LiveSession::begin_next(const std::atomic<bool>& stop) {
+  while (!stop && next_scene_) {
     const LiveScene scene = *std::exchange(next_scene_, std::nullopt);
     try {
       begin(scene, next_settings_);
     } catch (const std::exception& error) {
       tell(NoticeLevel::kError, error.what());
-      begin(run_->scene(), run_->request());
+      const LiveScene& last = run_->scene();
+      if (scene.file != last.file || scene.experiment != last.experiment) {
+        choose(last, run_->request());
+      } else {
+        wait_for_choice(stop);
+      }
     }
   }
-  stop_recording();
+}
+
+void LiveSession::wait_for_choice(const std::atomic<bool>& stop) {
+  constexpr milliseconds kPause{20};
+  tell(NoticeLevel::kWarning, "no scene runs; reset starts this one anew, or choose another.");
+  while (!stop && !next_scene_) {
+    take_messages();
+    std::this_thread::sleep_for(kPause);
+  }
 }
 
 // The scene that has run until now stays until the new one stands.
 void LiveSession::begin(const LiveScene& scene, const SettingsRequest& wanted) {
-  auto run = std::make_unique<LiveRun>(scene, wanted);
-  run_ = std::move(run);
+  run_ = std::make_unique<LiveRun>(scene, wanted);
   frames_ = std::make_unique<FrameMaker>(run_->settings(), run_->geometry().tool.mass.centre_of_mass);
   recording_offset_ += newest_time_ + 1.0 / run_->settings().haptic_rate;
   newest_time_ = 0.0;
@@ -166,7 +188,7 @@ struct LiveSession::Handler {
   }
   void operator()(const viewer_command::Record& record) const {
     if (!record.on) return session.stop_recording();
-    if (!session.recording_) session.start_recording(session.options_.recordings / name_of_recording());
+    if (!session.recording_) session.start_recording(new_recording(session.options_.recordings));
   }
   void operator()(const viewer_command::Seek&) const { refuse_replay(); }
   void operator()(const viewer_command::Play&) const { refuse_replay(); }
@@ -180,8 +202,13 @@ struct LiveSession::Handler {
   [[noreturn]] static void refuse_replay() {
     throw InputError("only a replay has a time to go to; open a recording with 'tegotae replay FILE'.");
   }
-  static std::string name_of_recording() {
-    return fmt::format("tegotae-{:%Y%m%d-%H%M%S}.mcap", fmt::localtime(std::time(nullptr)));
+  // None that is there already: two may be started in one second.
+  static std::filesystem::path new_recording(const std::filesystem::path& folder) {
+    const std::string name = fmt::format("tegotae-{:%Y%m%d-%H%M%S}", fmt::localtime(std::time(nullptr)));
+    std::error_code error;
+    std::filesystem::path file = folder / (name + ".mcap");
+    for (int n = 2; std::filesystem::exists(file, error); ++n) file = folder / fmt::format("{}-{}.mcap", name, n);
+    return file;
   }
 };
 

@@ -55,6 +55,8 @@ class LiveSession {
 
   // Runs of scenes.
   void begin(const LiveScene& scene, const SettingsRequest& wanted);
+  void begin_next(const std::atomic<bool>& stop);
+  void wait_for_choice(const std::atomic<bool>& stop);
   void finish_run(const RealtimeReport& report);
   void choose(const LiveScene& scene, const SettingsRequest& wanted);
 

@@ -11,7 +11,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <random>
@@ -277,6 +280,59 @@ TEST(LiveSession, ARecordingGoesOnThroughScenesAndItsTimeNeverFalls) {
   EXPECT_EQ(scenes, (std::vector<std::string>{"table.xml", "table.xml", "cube-on-floor.xml"}));
   EXPECT_GT(before["/tegotae/tick"], 0.9);
   EXPECT_GT(before["/tegotae/state"], 0.9);
+}
+
+TEST(LiveSession, RecordingsOfOneSecondDoNotReplaceEachOther) {
+  const TemporaryFolder folder;
+  LiveSessionOptions options = table();
+  options.recordings = folder.path();
+  Pages pages(options);
+  pages.inbox().joined(1);
+  constexpr int kRecordings = 4;
+  for (int i = 0; i < 2 * kRecordings; ++i) pages.say(1, {{"type", "record"}, {"on", i % 2 == 0}});
+  for (int i = 0; i < kRecordings; ++i) {
+    pages.message(1, "notice", [](const Json& s) {
+      return s["text"].get<std::string>().find("ticks recorded") != std::string::npos;
+    });
+  }
+  const std::filesystem::directory_iterator files(folder.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), kRecordings);
+}
+
+// As somebody edits the file while it is shown.
+TEST(LiveSession, ASceneThatCanNoLongerBeLoadedIsWaitedFor) {
+  const TemporaryFolder folder;
+  const std::filesystem::path good = std::filesystem::path(TEGOTAE_SCENES) / "cube-on-floor.xml";
+  const std::filesystem::path file = folder.path() / "edited.xml";
+  std::filesystem::copy_file(good, file);
+  LiveSessionOptions options = table();
+  options.scene = {"edited.xml", file};
+  Pages pages(options);
+  pages.inbox().joined(1);
+  pages.state([](const Json& s) { return s["t"] > 0.2; });
+  std::ofstream(file) << "<mujoco><none/></mujoco>";
+  pages.say(1, {{"type", "reset"}});
+  const Json notice = pages.message(1, "notice", [](const Json& n) { return n["level"] == "error"; });
+  EXPECT_NE(notice["text"].get<std::string>().find("edited.xml"), std::string::npos) << notice["text"];
+  pages.inbox().joined(2);
+  EXPECT_EQ(pages.message(2, "scene")["name"], "edited.xml") << "who comes meanwhile is greeted";
+  std::filesystem::copy_file(good, file, std::filesystem::copy_options::overwrite_existing);
+  pages.say(2, {{"type", "reset"}});
+  pages.message(2, "scene");
+  pages.state([](const Json& s) { return s["t"] < 0.2; });
+  pages.state([](const Json& s) { return s["t"] > 0.2; });
+}
+
+TEST(LiveSession, ASceneThatCannotBeLoadedGivesWayToTheOneBefore) {
+  const TemporaryFolder folder;
+  LiveSessionOptions options = table();
+  options.scenes.push_back({"gone.xml", folder.path() / "gone.xml"});
+  Pages pages(options);
+  pages.inbox().joined(1);
+  pages.say(1, {{"type", "scene"}, {"name", "gone.xml"}});
+  pages.message(1, "notice", [](const Json& n) { return n["level"] == "error"; });
+  EXPECT_EQ(pages.message(1, "scene")["name"], "table.xml");
+  pages.state([](const Json& s) { return s["t"] > 0.2; });
 }
 
 TEST(LiveSession, AFullDiskEndsTheRecordingAndNothingElse) {
