@@ -23,12 +23,11 @@ double unix_milliseconds() {
 }  // namespace
 
 FrameMaker::FrameMaker(const SessionSettings& settings, const Vector3& p_TCm)
-    : settings_(settings), p_TCm_(p_TCm), passivity_(coupling_of(settings), p_TCm) {}
+    : settings_(settings), passivity_(coupling_of(settings), p_TCm) {}
 
 void FrameMaker::change(const SessionSettings& settings) {
-  energy_before_ += passivity_.excess();
   settings_ = settings;
-  passivity_ = PassivityObserver(coupling_of(settings), p_TCm_);
+  passivity_.change(coupling_of(settings));
 }
 
 void FrameMaker::add(const TickRecord& record) {
@@ -66,12 +65,13 @@ ViewFrame FrameMaker::frame(const ContactView& contacts, const MovingBodies& bod
   frame.bodies.assign(bodies.used().begin(), bodies.used().end());
   frame.contacts = contacts;
   frame.samples.assign(samples_.begin(), samples_.end());
-  frame.numbers = numbers(bodies);
+  count(bodies);
+  frame.numbers = numbers();
   frame.numbers.contacts = contacts.point_count;
   return frame;
 }
 
-ViewedNumbers FrameMaker::numbers(const MovingBodies& bodies) {
+ViewedNumbers FrameMaker::numbers() const {
   ViewedNumbers numbers;
   numbers.tick_median_us = 1e6 * durations_.median();
   numbers.tick_p99_us = 1e6 * durations_.percentile(0.99);
@@ -80,8 +80,7 @@ ViewedNumbers FrameMaker::numbers(const MovingBodies& bodies) {
   numbers.ticks = ticks_;
   const double span = last_second_.empty() ? 0.0 : last_second_.back() - last_second_.front();
   numbers.haptic_rate = span > 0.0 ? static_cast<double>(last_second_.size() - 1) / span : 0.0;
-  numbers.physics_rate = physics_rate(bodies);
-  if (bodies.steps > 0) physics_steps_.add(bodies.step_duration);
+  numbers.physics_rate = physics_rate();
   numbers.physics_step_ms = 1e3 * physics_steps_.median();
   numbers.staleness_ms = 1e3 * newest_.model_age;
   numbers.missed = missed_;
@@ -91,18 +90,24 @@ ViewedNumbers FrameMaker::numbers(const MovingBodies& bodies) {
   numbers.dropped = newest_.dropped;
   numbers.iterations = newest_.solver_iterations;
   numbers.depth = newest_.deepest;
-  numbers.energy = energy_before_ + passivity_.excess();
+  numbers.energy = passivity_.excess();
   numbers.status = static_cast<RenderStatus>(newest_.status);
   for (const std::uint32_t events : events_) numbers.safety_events |= events;
   return numbers;
 }
 
-double FrameMaker::physics_rate(const MovingBodies& bodies) {
+// A run that is paused shows the same step again and again.
+void FrameMaker::count(const MovingBodies& bodies) {
+  if (!physics_last_second_.empty() && physics_last_second_.back().count == bodies.steps) return;
+  if (bodies.steps > 0) physics_steps_.add(bodies.step_duration);
   physics_last_second_.push_back({bodies.time, bodies.steps});
   while (physics_last_second_.front().time < bodies.time - kRateSpan) physics_last_second_.pop_front();
-  const Steps& first = physics_last_second_.front();
-  const double span = bodies.time - first.time;
-  return span > 0.0 ? static_cast<double>(bodies.steps - first.count) / span : 0.0;
+}
+
+double FrameMaker::physics_rate() const {
+  const Steps &first = physics_last_second_.front(), &last = physics_last_second_.back();
+  const double span = last.time - first.time;
+  return span > 0.0 ? static_cast<double>(last.count - first.count) / span : 0.0;
 }
 
 ViewedHistogram FrameMaker::histogram() const {

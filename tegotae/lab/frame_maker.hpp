@@ -34,8 +34,9 @@ class FrameMaker {
 
  private:
   void count(const TickRecord& record);
-  double physics_rate(const MovingBodies& bodies);
-  ViewedNumbers numbers(const MovingBodies& bodies);
+  void count(const MovingBodies& bodies);
+  double physics_rate() const;
+  ViewedNumbers numbers() const;
 
   /// Bins of the histogram: from 1 us, sixteen a decade, to 10 ms.
   static constexpr int kBinsPerDecade = 16;
@@ -47,9 +48,7 @@ class FrameMaker {
   };
 
   SessionSettings settings_;
-  Vector3 p_TCm_;
   PassivityObserver passivity_;
-  double energy_before_ = 0.0;  ///< J, with earlier settings
 
   TickRecord newest_;
   std::uint64_t frames_ = 0, ticks_ = 0, missed_ = 0;

@@ -27,6 +27,9 @@ class PassivityObserver {
   /// In order of time, one record a tick. What is displayed counts.
   void add(const TickRecord& record) noexcept;
 
+  /// Another spring from the next tick on. What the one before took and did not give back stays with the contact.
+  void change(const Coupling& coupling) noexcept { coupling_ = coupling; }
+
   double given() const noexcept { return given_; }      ///< J, energy given to the hand; negative: taken from it
   double allowed() const noexcept { return allowed_; }  ///< J, the sampled spring's own
   double excess() const noexcept { return excess_ + episode_excess_; }  ///< J, as defined above

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 namespace tegotae {
@@ -126,6 +127,36 @@ TEST(FrameMaker, SumsTheEnergyGivenOverAllSettings) {
   rig.frames.change(SessionSettings{});
   press(0.3);
   EXPECT_NEAR(rig.frame().numbers.energy, 2.0 * once, 1e-9);
+}
+
+// Pressed, then set anew to what it was, then let go: a spring has given back what it took.
+TEST(FrameMaker, ASettingThatChangesInAContactGivesNoEnergyByItself) {
+  Rig rig;
+  for (int i = 0; i <= 2000; ++i) {
+    if (i == 1000) rig.frames.change(SessionSettings{});
+    TickRecord record = tick(1e-3 * i);
+    const double depth = 1e-2 * (1000 - std::abs(i - 1000)) / 1000.0;
+    record.X_WT.p.z = -depth;
+    record.displayed.force.z = SessionSettings{}.stiffness * depth;
+    rig.frames.add(record);
+  }
+  constexpr double kStored = 0.05;  // J, in the spring as it was set anew
+  EXPECT_LT(rig.frame().numbers.energy, 1e-3 * kStored);
+}
+
+TEST(FrameMaker, FramesOfARunThatStandsStillCountItsLastStepOnce) {
+  Rig rig;
+  rig.run(0, 1000);
+  MovingBodies bodies = bodies_at(0.5, 250);
+  bodies.step_duration = 1e-3;
+  for (const std::uint64_t step : {249, 250, 251}) {
+    bodies.steps = step;
+    rig.frames.frame(rig.contacts, bodies);
+  }
+  bodies.step_duration = 8e-3;
+  bodies.steps = 252;
+  for (int i = 0; i < 100; ++i) rig.frames.frame(rig.contacts, bodies);
+  EXPECT_NEAR(rig.frames.frame(rig.contacts, bodies).numbers.physics_step_ms, 1.0, 0.02);
 }
 
 }  // namespace
