@@ -4,11 +4,9 @@
 #include <apps/serving_options.hpp>
 #include <apps/validators.hpp>
 #include <tegotae/lab/replay_view.hpp>
-#include <tegotae/stream/short_messages.hpp>
 
 #include <fmt/format.h>
 
-#include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -21,28 +19,17 @@ struct ReplayOptions {
   ServingOptions serving;
 };
 
-void stop(ViewerServer& server, const std::string& why) {
-  server.stop(std::make_shared<const std::string>(encode_end(why)));
-}
-
 void replay(const ReplayOptions& options) {
   const std::filesystem::path file = options.recording;
   ViewerServer server(options.serving.server_options());
   ReplayView view(file, output_to(server));
   if (!view.warning().empty()) fmt::print(stderr, "tegotae: warning: {}\n", view.warning());
   listen_for_interruption();
-  server.start({[&](ViewerId viewer) { view.inbox().joined(viewer); },
-                [&](ViewerId viewer, std::string_view message) { view.inbox().received(viewer, message); },
-                [&](ViewerId viewer) { view.inbox().left(viewer); }});
-  options.serving.announce(server, fmt::format("{} ({:.1f} s)", file.filename().string(), view.session().duration()));
-  try {
+  const double duration = view.session().duration();
+  serve_until_stopped(server, view.inbox(), [&] {
+    options.serving.announce(server, fmt::format("{} ({:.1f} s)", file.filename().string(), duration));
     view.run(interrupted());
-  } catch (const std::exception& error) {
-    stop(server, error.what());
-    throw;
-  }
-  stop(server, "the program was stopped.");
-  fmt::print("tegotae: stopped.\n");
+  });
 }
 
 }  // namespace

@@ -66,13 +66,10 @@ void serve(const ServeOptions& options) {
   ViewerServer server(options.serving.server_options());
   LiveSession session(session_options(options), output_to(server), log);
   listen_for_interruption();
-  server.start({[&](ViewerId viewer) { session.inbox().joined(viewer); },
-                [&](ViewerId viewer, std::string_view message) { session.inbox().received(viewer, message); },
-                [&](ViewerId viewer) { session.inbox().left(viewer); }});
-  options.serving.announce(server, session.scene_name());
-  session.run(interrupted());
-  server.stop(std::make_shared<const std::string>(encode_end("the program was stopped.")));
-  fmt::print("tegotae: stopped.\n");
+  serve_until_stopped(server, session.inbox(), [&] {
+    options.serving.announce(server, session.scene_name());
+    session.run(interrupted());
+  });
 }
 
 }  // namespace

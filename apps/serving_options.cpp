@@ -3,11 +3,15 @@
 #include <apps/validators.hpp>
 #include <tegotae/lab/child_process.hpp>
 #include <tegotae/stream/random_token.hpp>
+#include <tegotae/stream/short_messages.hpp>
 #include <tegotae/stream/web_page.hpp>
 
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <exception>
+#include <memory>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -23,6 +27,21 @@ ViewerOutput output_to(ViewerServer& server) {
           [&](ViewerId viewer, SharedText message) { server.send(viewer, std::move(message)); },
           [&](SharedText message) { server.send_all(std::move(message)); }, [&] { return server.viewer_count(); },
           [&](ViewerId viewer, std::string reason) { server.disconnect(viewer, std::move(reason)); }};
+}
+
+void serve_until_stopped(ViewerServer& server, LiveInbox& inbox, const std::function<void()>& run) {
+  const auto stop = [&](const char* why) { server.stop(std::make_shared<const std::string>(encode_end(why))); };
+  server.start({[&](ViewerId viewer) { inbox.joined(viewer); },
+                [&](ViewerId viewer, std::string_view message) { inbox.received(viewer, message); },
+                [&](ViewerId viewer) { inbox.left(viewer); }});
+  try {
+    run();
+  } catch (const std::exception& error) {
+    stop(error.what());
+    throw;
+  }
+  stop("the program was stopped.");
+  fmt::print("tegotae: stopped.\n");
 }
 
 void ServingOptions::add(CLI::App& command) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tegotae/lab/live_inbox.hpp>
 #include <tegotae/lab/viewer_output.hpp>
 #include <tegotae/stream/viewer_server.hpp>
 
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace tegotae {
@@ -28,5 +30,9 @@ struct ServingOptions {
 
 /// The functions of a server, for a session. The server must outlive them.
 ViewerOutput output_to(ViewerServer& server);
+
+/// Starts the server for what is `run` until it is interrupted, and stops it with the reason for the pages, also where
+/// `run` throws: what the server tells `inbox` ends before this returns.
+void serve_until_stopped(ViewerServer& server, LiveInbox& inbox, const std::function<void()>& run);
 
 }  // namespace tegotae
