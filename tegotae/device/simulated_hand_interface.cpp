@@ -12,11 +12,11 @@
 namespace tegotae {
 namespace {
 
-constexpr double kTimeRounding = 5e-10;  // s: sums of periods are not exact
-constexpr double kTargetSpan = 1e-3;     // s over which the hand's target moves linearly
-constexpr double kLongestRead = 1.0;     // s: more is a fault of the caller's clock
-constexpr double kLongestDelay = 0.1;    // s
-constexpr double kFastestWrite = 20e3;   // Hz
+constexpr double kTimeRounding = PoseHistory::kTimeRounding;
+constexpr double kTargetSpan = 1e-3;    // s over which the hand's target moves linearly
+constexpr double kLongestRead = 1.0;    // s: more is a fault of the caller's clock
+constexpr double kLongestDelay = 0.1;   // s
+constexpr double kFastestWrite = 20e3;  // Hz
 
 void require(double value, double least, double most, const char* what) {
   if (std::isfinite(value) && value >= least && value <= most) return;
@@ -59,18 +59,18 @@ void SimulatedHandInterface::restart(double time, const Pose& X_WG) noexcept {
   X_WH_ = X_WG;
   time_ = time;
   displayed_ = {};
-  first_ = count_ = reading_count_ = 0;
+  first_ = count_ = 0;
+  history_.clear();
 }
 
 InterfaceStatus SimulatedHandInterface::read(double time, InterfaceState& state) noexcept {
   if (!(time - time_ <= kLongestRead)) return InterfaceStatus::kLost;
   advance_to(time);
-  readings_[reading_count_ % kReadings] = {time_, quantised(grip_.state().X_WG)};
-  ++reading_count_;
   state = {};
   state.time = time;
-  state.X_WT = readings_[(reading_count_ - 1) % kReadings].X_WG;
-  state.V_WT = velocity();
+  state.X_WT = quantised(grip_.state().X_WG);
+  history_.add(time_, state.X_WT);
+  state.V_WT = history_.velocity(device_.velocity_window);
   return InterfaceStatus::kOk;
 }
 
@@ -119,24 +119,6 @@ Pose SimulatedHandInterface::quantised(const Pose& X_WG) const noexcept {
     result.q = (rotation_from_vector(rounded(turned, device_.encoder_angle)) * q_start).normalized();
   }
   return result;
-}
-
-// From the oldest reading within the window, or the one before the newest where there is none.
-Twist SimulatedHandInterface::velocity() const noexcept {
-  if (reading_count_ < 2) return {};
-  const Reading& newest = readings_[(reading_count_ - 1) % kReadings];
-  const std::size_t kept = std::min(reading_count_, kReadings);
-  std::size_t back = 1;
-  while (back + 1 < kept) {
-    const Reading& older = readings_[(reading_count_ - 2 - back) % kReadings];
-    if (newest.time - older.time > device_.velocity_window + kTimeRounding) break;
-    ++back;
-  }
-  const Reading& before = readings_[(reading_count_ - 1 - back) % kReadings];
-  const double span = newest.time - before.time;
-  if (!(span > 0.0)) return {};
-  const Vector6 way = displacement(before.X_WG, newest.X_WG, Vector3::Zero());
-  return {way.head<3>() / span, way.tail<3>() / span};
 }
 
 }  // namespace tegotae

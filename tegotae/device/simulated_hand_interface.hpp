@@ -2,10 +2,10 @@
 #pragma once
 
 #include <tegotae/device/intended_motion.hpp>
+#include <tegotae/device/pose_history.hpp>
 #include <tegotae/device/simulated_grip.hpp>
 #include <tegotae/runtime/haptic_interface.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -65,16 +65,10 @@ class SimulatedHandInterface : public HapticInterface {
     double due = 0.0;  ///< s
     Wrench wrench;
   };
-  struct Reading {
-    double time = 0.0;  ///< s
-    Pose X_WG;
-  };
-  static constexpr std::size_t kReadings = 64;
 
   void advance_to(double time) noexcept;
   void display_due() noexcept;
   Pose quantised(const Pose& X_WG) const noexcept;
-  Twist velocity() const noexcept;
 
   std::unique_ptr<IntendedMotion> intended_;
   Pose X_WG_start_;
@@ -88,8 +82,7 @@ class SimulatedHandInterface : public HapticInterface {
   std::size_t first_ = 0, count_ = 0;
   std::uint64_t dropped_ = 0;
 
-  std::array<Reading, kReadings> readings_;  ///< a ring, newest at (reading_count_ - 1) % kReadings
-  std::size_t reading_count_ = 0;
+  PoseHistory history_;  ///< of what was reported
 };
 
 }  // namespace tegotae
