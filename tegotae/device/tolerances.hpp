@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// Tolerances of this layer, each with its unit and reason.
+namespace tegotae::tolerance {
+
+/// m. A step of the pose from string lengths (rotation: times the knots' radius) that ends the iteration: under a
+/// ten-thousandth of an encoder's pulse, and a million times what rounding leaves.
+inline constexpr double kSpidarStep = 1e-9;
+
+/// Steps of that iteration. A warm start takes two to four; a start half a turn away up to about fifteen.
+inline constexpr int kSpidarSteps = 40;
+
+/// Halvings of one step that makes the lengths fit worse.
+inline constexpr int kSpidarHalvings = 12;
+
+/// Least pivot of the strings' 6 x 6 normal matrix, of their 6 x 8 wrench matrix in the second (rotation in units of
+/// the knots' radius), relative to the greatest. Under it a motion of the grip, or a wrench, is one in a million of the
+/// others to the strings: an encoder's pulse would be a metre.
+inline constexpr double kSpidarNormalPivot = 1e-12;
+inline constexpr double kSpidarWrenchPivot = 1e-6;
+
+/// Weight of a string in a facet of the reachable wrenches under which it is rounding of zero: weights are at most 1,
+/// and come from products of numbers of that size.
+inline constexpr double kSpidarWeight = 1e-9;
+
+/// N. By this the limits of the tensions are widened while they are chosen, then clipped again: at the greatest scale
+/// that is reachable they leave one choice alone, which rounding (1e-14 of 20 N) would refuse. A ten-thousandth of the
+/// 1e-6 that is promised.
+inline constexpr double kSpidarTensionSlack = 1e-10;
+
+/// m, RMS misfit of eight lengths to one pose above which they are not believed: a counter slipped, a string is slack,
+/// or the geometry is not this device's. Rounding leaves 9 um; 10 N stretch a thin string of 0.1 m by 0.3 mm.
+inline constexpr double kSpidarMisfit = 1e-3;
+
+/// N and N m. A geometry must display at least this in every direction at its centre: the least force that a hand
+/// feels, and at the radius of a knot about the same.
+inline constexpr double kSpidarLeastForce = 0.04;
+inline constexpr double kSpidarLeastTorque = 1e-3;
+
+}  // namespace tegotae::tolerance
