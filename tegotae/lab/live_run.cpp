@@ -84,7 +84,9 @@ bool LiveRun::hand_took_over() {
 }
 
 RealtimeReport LiveRun::run(const std::atomic<bool>& stop, const RealtimeObserver& observer,
-                            std::function<void()> on_pass) {
+                            std::function<void()> on_pass,
+                            std::function<void(const RealtimeRights&, const RealtimeRights&)> on_rights) {
+  link_.on_rights = std::move(on_rights);
   constexpr double kWithoutEnd = 1e9;  // s
   // Looked at in each pass: a run that is paused has no ticks to end by.
   std::atomic<bool> ending{false};

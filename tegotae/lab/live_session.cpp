@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <set>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -46,7 +47,9 @@ void LiveSession::run(const std::atomic<bool>& stop) {
     return true;
   };
   while (!stop) {
-    finish_run(run_->run(stop, observer, [this] { pass(); }));
+    finish_run(run_->run(
+        stop, observer, [this] { pass(); },
+        [this](const auto& haptics, const auto& physics) { tell_rights(haptics, physics); }));
     begin_next(stop);
   }
   stop_recording();
@@ -77,6 +80,14 @@ void LiveSession::wait_for_choice(const std::atomic<bool>& stop) {
   while (!stop && !next_scene_) {
     take_messages();
     std::this_thread::sleep_for(kPause);
+  }
+}
+
+// Once, of the first run: the system gives later ones the same.
+void LiveSession::tell_rights(const RealtimeRights& haptics, const RealtimeRights& physics) {
+  if (std::exchange(rights_told_, true)) return;
+  for (const std::string& sentence : std::set<std::string>{haptics.explanation, physics.explanation}) {
+    if (!sentence.empty()) tell(NoticeLevel::kWarning, sentence);
   }
 }
 

@@ -58,6 +58,7 @@ class LiveSession {
   void begin_next(const std::atomic<bool>& stop);
   void wait_for_choice(const std::atomic<bool>& stop);
   void finish_run(const RealtimeReport& report);
+  void tell_rights(const RealtimeRights& haptics, const RealtimeRights& physics);
   void choose(const LiveScene& scene, const SettingsRequest& wanted);
 
   // Called while a scene runs.
@@ -90,6 +91,7 @@ class LiveSession {
   std::unique_ptr<LiveRun> run_;
   std::unique_ptr<FrameMaker> frames_;
   bool has_ticks_ = false;
+  bool rights_told_ = false;
   std::optional<LiveScene> next_scene_;
   SettingsRequest next_settings_;
 

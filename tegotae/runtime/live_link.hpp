@@ -7,6 +7,7 @@
 #include <tegotae/runtime/latest_value.hpp>
 #include <tegotae/runtime/mailbox.hpp>
 #include <tegotae/runtime/physics_loop.hpp>
+#include <tegotae/runtime/realtime_thread.hpp>
 
 #include <array>
 #include <atomic>
@@ -53,7 +54,9 @@ struct LiveLink {
   double view_period = 1.0 / 60.0;    ///< s between contact views
   LatestValue<ContactView> contacts;  ///< of the haptic thread
   LatestValue<MovingBodies> bodies;   ///< of the physics thread
-  std::function<void()> on_pass;      ///< called on the observer's thread after each look at the records, every 5 ms
+  /// Called once on the observer's thread: what the system has granted to both loops.
+  std::function<void(const RealtimeRights& haptics, const RealtimeRights& physics)> on_rights;
+  std::function<void()> on_pass;  ///< called on the observer's thread after each look at the records, every 5 ms
 
   /// One physics period of `physics_period` (s) at a time, haptics at `haptic_period` (s).
   void grant_step(double physics_period, double haptic_period) noexcept;

@@ -40,6 +40,7 @@ struct Run {
   std::atomic<bool> ending{false};
   std::atomic<bool> haptics_done{false};
   std::atomic<bool> physics_failed{false};
+  std::atomic<int> rights_known{0};                ///< threads whose rights stand in the report
   InterfaceStatus written = InterfaceStatus::kOk;  ///< the haptic thread's: how the last command fared
   RealtimeReport report;
 };
@@ -80,6 +81,7 @@ PeriodicTimer timer_of(const PhysicsLoop& physics) {
 
 void physics_thread(Run& run) {
   run.report.physics_rights = request_realtime(kPhysicsPriority);
+  run.rights_known.fetch_add(1, std::memory_order_release);
   PeriodicTimer timer = timer_of(run.physics);
   while (!run.ending.load(std::memory_order_acquire)) {
     const auto missed = static_cast<std::uint64_t>(timer.wait());
@@ -172,6 +174,7 @@ void live_haptic_periods(Run& run, PeriodicTimer& timer) noexcept {
 
 void haptic_thread(Run& run, double period) {
   run.report.haptic_rights = request_realtime(kHapticPriority);
+  run.rights_known.fetch_add(1, std::memory_order_release);
   PeriodicTimer timer(PeriodicTimer::period_of(1.0 / period));
   if (run.live != nullptr) live_haptic_periods(run, timer);
   while (!run.ending.load(std::memory_order_acquire)) {
@@ -181,14 +184,22 @@ void haptic_thread(Run& run, double period) {
   run.haptics_done.store(true, std::memory_order_release);
 }
 
+void tell_live(Run& run, bool& rights_told) {
+  if (!rights_told && run.rights_known.load(std::memory_order_acquire) == 2) {
+    rights_told = true;
+    if (run.live->on_rights) run.live->on_rights(run.report.haptic_rights, run.report.physics_rights);
+  }
+  if (run.live->on_pass) run.live->on_pass();
+}
+
 // Hands the records to the observer until the run ends.
 void observe(Run& run, double duration, const std::atomic<bool>& stop, const RealtimeObserver& observer) {
-  bool wanted = true;
+  bool wanted = true, rights_told = false;
   for (;;) {
     const bool last = run.haptics_done.load(std::memory_order_acquire);
     TickRecord record;
     while (run.records.pop(record)) wanted = wanted && observer(record);
-    if (run.live != nullptr && run.live->on_pass) run.live->on_pass();
+    if (run.live != nullptr) tell_live(run, rights_told);
     if (last) return;
     if (run.live != nullptr && run.physics_failed.load(std::memory_order_acquire)) wanted = false;
     if (!wanted || stop.load(std::memory_order_relaxed) || run.now() >= duration) {

@@ -94,6 +94,21 @@ TEST(RealtimeSession, TwoThreadsRunAtTheirRatesAndTheLastCommandIsZero) {
   EXPECT_GT(records.back().model_sequence, 10u);
 }
 
+TEST(RealtimeSession, TellsWhoWatchesOnceWhatTheSystemGranted) {
+  Rig rig;
+  LiveLink link;
+  int told = 0;
+  bool haptic_fifo = false;
+  link.on_rights = [&](const RealtimeRights& haptics, const RealtimeRights&) {
+    ++told;
+    haptic_fifo = haptics.fifo;
+  };
+  const RealtimeReport report = run_realtime(
+      rig.physics, *rig.haptics, rig.hand, 1e-3, 0.2, rig.stop, [](const TickRecord&) { return true; }, &link);
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(haptic_fifo, report.haptic_rights.fifo);
+}
+
 TEST(RealtimeSession, EndsWhenTheObserverSaysSo) {
   Rig rig;
   int seen = 0;
