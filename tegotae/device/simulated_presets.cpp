@@ -52,7 +52,9 @@ SimulatedDevice parallel() {
 }
 
 // Of the strength of a desktop interface, ideal otherwise: what a person at a screen sees is the rendering's. Rated at
-// a quarter (rotation: half) of what a sampled spring may have with this damping and that of a moderate hand, 2 b / T.
+// a quarter (rotation: half) of what a sampled spring may have with this damping and that of a moderate hand, 2 b / T,
+// and at half of what a damper may have with their mass m, pi/2 m / t_d: the velocity over 10 ms is t_d = 6.5 ms old
+// when it is displayed.
 SimulatedDevice page() {
   SimulatedDevice device;
   device.capability.name = "page";
@@ -60,6 +62,8 @@ SimulatedDevice page() {
   device.capability.max_torque = 0.6;
   device.capability.max_stiffness = 4000.0;
   device.capability.max_rotational_stiffness = 100.0;
+  device.capability.max_damping = 60.0;
+  device.capability.max_rotational_damping = 0.3;
   device.mechanics = {0.1, 5e-4, 3.0, 0.04, 0.0, 0.0};
   return device;
 }

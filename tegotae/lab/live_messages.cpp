@@ -25,13 +25,16 @@ bool is_fixed(const ShownSetting& setting) {
 
 std::string live_settings_message(const LiveRun& run) {
   std::vector<ShownSetting> shown = shown_settings(run.settings());
+  const InterfaceCapability interface = run.interface();
   const CouplingLimits limits = coupling_limits_for_bodies(run.geometry(), run.settings().physics_rate);
   shown.erase(std::remove_if(shown.begin(), shown.end(), is_fixed), shown.end());
   for (ShownSetting& setting : shown) {
     if (setting.name == "stiffness") {
-      setting.most = std::min({setting.most, run.interface().max_stiffness, limits.stiffness});
+      setting.most = std::min({setting.most, interface.max_stiffness, limits.stiffness});
     }
-    if (setting.name == "damping") setting.most = std::min(setting.most, limits.damping);
+    if (setting.name == "damping") setting.most = std::min({setting.most, interface.max_damping, limits.damping});
+    if (setting.name == "rotational_damping") setting.most = std::min(setting.most, interface.max_rotational_damping);
+    if (setting.name == "transient") setting.most = std::min(setting.most, interface.max_damping);
     if (setting.name == "physics_rate") setting.most = std::min(setting.most, run.highest_physics_rate());
   }
   return encode_settings(run.settings().method, shown);

@@ -120,6 +120,12 @@ SessionSettings held_to_rating(SessionSettings settings, const InterfaceCapabili
   settings.stiffness = std::min(settings.stiffness, interface.max_stiffness);
   const double longest = std::sqrt(interface.max_rotational_stiffness / settings.stiffness);
   settings.metric_length = std::min(settings.metric_length, longest);
+  settings.damping = std::min(settings.damping, interface.max_damping);
+  const double of_rotation =
+      settings.rotational_damping.value_or(settings.damping * settings.metric_length * settings.metric_length);
+  if (of_rotation > interface.max_rotational_damping) settings.rotational_damping = interface.max_rotational_damping;
+  // At an impact it is a damper, too.
+  settings.transient = std::min(settings.transient, interface.max_damping);
   return settings;
 }
 

@@ -20,6 +20,8 @@ struct InterfaceCapability {
   double max_torque = std::numeric_limits<double>::infinity();                ///< N m
   double max_stiffness = std::numeric_limits<double>::infinity();             ///< N/m, as rated
   double max_rotational_stiffness = std::numeric_limits<double>::infinity();  ///< N m/rad, as rated
+  double max_damping = std::numeric_limits<double>::infinity();               ///< N s/m, as rated
+  double max_rotational_damping = std::numeric_limits<double>::infinity();    ///< N m s/rad, as rated
   double rate = 1000.0;                                                       ///< Hz, of its servo loop
   double encoder_step = 0.0;                                                  ///< m at the grip; 0: not quantised
 };

@@ -36,6 +36,30 @@ TEST(Session, TakesTheSettingsOfTheScene) {
   EXPECT_THAT(session.notes(), testing::IsSupersetOf({"tool: tool", "centre of mass in the tool's frame: 0 0 0 m"}));
 }
 
+TEST(Session, HoldsSettingsToWhatAnInterfaceIsRatedFor) {
+  InterfaceCapability interface;
+  SessionSettings wanted;
+  wanted.stiffness = 5e3;
+  wanted.damping = 1e4;
+  wanted.metric_length = 0.5;
+  wanted.transient = 1e4;
+  EXPECT_EQ(held_to_rating(wanted, interface).lines(), wanted.lines()) << "what is not known bounds nothing";
+  interface.max_stiffness = 1e3;
+  interface.max_rotational_stiffness = 10.0;
+  interface.max_damping = 50.0;
+  interface.max_rotational_damping = 0.2;
+  const SessionSettings held = held_to_rating(wanted, interface);
+  EXPECT_EQ(held.stiffness, 1e3);
+  EXPECT_NEAR(held.metric_length, 0.1, 1e-12);
+  EXPECT_EQ(held.damping, 50.0);
+  EXPECT_EQ(held.rotational_damping, 0.2) << "d l^2 would be 0.5";
+  EXPECT_EQ(held.transient, 50.0);
+  wanted.damping = 10.0;
+  EXPECT_FALSE(held_to_rating(wanted, interface).rotational_damping.has_value()) << "d l^2 is 0.1";
+  wanted.rotational_damping = 7.0;
+  EXPECT_EQ(held_to_rating(wanted, interface).rotational_damping, 0.2);
+}
+
 TEST(Session, RefusesSettingsOfASceneThatAreUnknownOrOutOfRange) {
   const auto refusal = [](const std::string& name, double value) {
     try {
