@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/spidar_tensions.hpp>
 
+#include <tegotae/device/spidar_nearest.hpp>
 #include <tegotae/device/spidar_null_space.hpp>
 #include <tegotae/device/tolerances.hpp>
 
@@ -117,7 +118,13 @@ SpidarTensions spidar_tensions(const SpidarWrenchMatrix& W, double radius, const
   const SpidarVector t_wrench = space.pseudo_inverse * w;
   const Multiples multiples = reachable_multiples(spidar_facets(space), t_wrench, min, max);
   const double scale = std::min(1.0, multiples.greatest);
-  if (!(scale >= std::max(0.0, multiples.least))) return finished(result, W, wrench);
+  if (!(scale >= std::max(0.0, multiples.least))) {
+    const SpidarNearest nearest = nearest_tensions(W, radius, min, max, wrench);
+    result.display = SpidarDisplay::kNearest;
+    result.scale = nearest.scale;
+    result.tensions = nearest.tensions;
+    return finished(result, W, wrench);
+  }
   result.scale = scale;
   result.display = scale < 1.0 ? SpidarDisplay::kScaled : SpidarDisplay::kExact;
   result.tensions = least_tensions(space, scale * t_wrench, min, max);

@@ -29,6 +29,19 @@ inline constexpr double kSpidarWeight = 1e-9;
 /// 1e-6 that is promised.
 inline constexpr double kSpidarTensionSlack = 1e-10;
 
+/// Weights, where no part of a wrench is reachable, of a great part and of small tensions against a small stray wrench:
+/// the whole wrench is worth a thirty-thousandth of it of stray, and 20 N less in all strings 0.06 mN. With more, the
+/// wrench would jump where its parts cease to be reachable.
+inline constexpr double kSpidarPreferGreat = 1e-9;
+inline constexpr double kSpidarPreferSmall = 1e-12;
+
+/// N. Slope of that problem, per newton of tension, under which a bound does not hold the minimum back: ten times what
+/// rounding leaves of 20 N in eight strings, and what the preference for small tensions pulls with at 0.1 N.
+inline constexpr double kSpidarPull = 1e-13;
+
+/// Steps of its active set: it takes about ten, and each costs a third of a microsecond.
+inline constexpr int kSpidarActiveSteps = 60;
+
 /// m, RMS misfit of eight lengths to one pose above which they are not believed: a counter slipped, a string is slack,
 /// or the geometry is not this device's. Rounding leaves 9 um; 10 N stretch a thin string of 0.1 m by 0.3 mm.
 inline constexpr double kSpidarMisfit = 1e-3;

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/device/simulated_presets.hpp>
-#include <tegotae/device/simulated_spidar.hpp>
 #include <tegotae/device/spidar_interface.hpp>
 #include <tegotae/device/spidar_presets.hpp>
 #include <tegotae/math/rotation.hpp>
-
-#include <tests/allocation_counter.hpp>
 
 #include <gtest/gtest.h>
 
@@ -67,8 +63,6 @@ SpidarVector counts_at(const SpidarGeometry& geometry, const Pose& X_SG) {
   }
   return counts;
 }
-
-Trajectory still(const Pose& X_WT = {}) { return Trajectory({{0.0, X_WT}}); }
 
 double turned(const Pose& a, const Pose& b) { return rotation_vector(a.q * b.q.conjugate()).norm(); }
 
@@ -222,141 +216,6 @@ TEST(SpidarInterface, RefusesWhatCannotBe) {
   auto mute = std::make_unique<StubTransport>();
   mute->answers = false;
   EXPECT_THROW(SpidarInterface(settings_of(), std::move(mute)), std::runtime_error);
-}
-
-/// Driver, simulated device and hand.
-struct Simulated {
-  Simulated(const SpidarSettings& driver, SimulatedSpidarSettings device, Trajectory intended) {
-    device.X_WS = driver.X_WS;
-    auto owned = std::make_unique<SimulatedSpidar>(device, std::make_unique<IntendedTrajectory>(std::move(intended)));
-    device_ = owned.get();
-    interface = std::make_unique<SpidarInterface>(driver, std::move(owned));
-  }
-  SimulatedSpidar* device_;
-  std::unique_ptr<SpidarInterface> interface;
-};
-
-SimulatedSpidarSettings device_of(const SpidarSettings& driver) {
-  SimulatedSpidarSettings device;
-  device.geometry = driver.geometry;
-  device.hand = simulated_hand("moderate");
-  return device;
-}
-
-TEST(SimulatedSpidar, AHandTakesTheGripAndTheDriverFollows) {
-  SpidarSettings settings = settings_of();
-  settings.X_WS = {{0.0, 0.0, 0.4}, rotation_from_vector({0.0, 0.0, 0.5})};
-  const Pose goal{{0.01, -0.008, 0.41}, rotation_from_vector({0.2, 0.1, 0.6})};
-  Simulated spidar(settings, device_of(settings), Trajectory({{0.0, settings.X_WS}, {0.5, goal}}));
-  InterfaceState state;
-  double fastest = 0.0;
-  for (int k = 0; k <= 2000; ++k) {
-    ASSERT_EQ(spidar.interface->read(k * kPeriod, state), InterfaceStatus::kOk) << k;
-    ASSERT_LT((state.X_WT.p - spidar.device_->grip().X_WG.p).norm(), 20e-6) << k;
-    ASSERT_LT(turned(state.X_WT, spidar.device_->grip().X_WG), 2e-3) << k;
-    fastest = std::max(fastest, state.V_WT.linear.norm());
-    ASSERT_EQ(spidar.interface->write({}), InterfaceStatus::kOk);
-  }
-  EXPECT_LT((state.X_WT.p - goal.p).norm(), 1e-4);
-  EXPECT_GT(fastest, 0.02);
-  EXPECT_LT(fastest, 0.1);
-}
-
-TEST(SimulatedSpidar, FeelsTheWrenchThatWasCommanded) {
-  SpidarSettings settings = settings_of("x4r");
-  Simulated spidar(settings, device_of(settings), still(settings.X_WS));
-  const Wrench wrench{{2.0, -1.0, 1.5}, {0.05, 0.0, -0.05}};
-  InterfaceState state;
-  for (int k = 0; k <= 2000; ++k) {
-    spidar.interface->read(k * kPeriod, state);
-    spidar.interface->write({wrench, 0.0});
-  }
-  // At rest the hand's spring carries it. The driver knows the pose to 20 um of 0.1 m, so the wrench to a part in 5000.
-  const HandImpedance hand = simulated_hand("moderate");
-  const GripState& grip = spidar.device_->grip();
-  EXPECT_LT((grip.X_WG.p - wrench.force / hand.stiffness).norm(), 5e-6);
-  EXPECT_LT((rotation_vector(grip.X_WG.q) - wrench.torque / hand.rotational_stiffness).norm(), 2e-4);
-  EXPECT_LT((spidar.device_->displayed().force - wrench.force).norm(), 0.01);
-  EXPECT_LT((spidar.device_->displayed().torque - wrench.torque).norm(), 5e-4);
-}
-
-TEST(SimulatedSpidar, StringsThatGiveMisleadADriverThatDoesNotKnow) {
-  for (const bool knows : {false, true}) {
-    SpidarSettings settings = settings_of();
-    SimulatedSpidarSettings device = device_of(settings);
-    device.geometry.axial_stiffness = 5000.0;
-    if (knows) settings.geometry.axial_stiffness = 5000.0;
-    Simulated spidar(settings, device, still());
-    InterfaceState state;
-    for (int k = 0; k <= 2000; ++k) {
-      spidar.interface->read(k * kPeriod, state);
-      spidar.interface->write({{{8.0, 0.0, 0.0}, Vector3::Zero()}, 0.0});
-    }
-    const double error = (state.X_WT.p - spidar.device_->grip().X_WG.p).norm();
-    if (knows) {
-      EXPECT_LT(error, 20e-6);
-    } else {
-      EXPECT_GT(error, 40e-6);
-      EXPECT_LT(error, 500e-6);
-    }
-  }
-}
-
-TEST(SimulatedSpidar, MotorsClipAndRefuseWhatIsNoNumber) {
-  SpidarSettings settings = settings_of();
-  SimulatedSpidar spidar(device_of(settings), std::make_unique<IntendedTrajectory>(still()));
-  SpidarVector tensions = SpidarVector::Constant(1.0);
-  tensions[0] = 50.0;
-  tensions[1] = -3.0;
-  tensions[2] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(spidar.write(tensions));
-  EXPECT_EQ(spidar.tensions()[0], 20.0);
-  EXPECT_EQ(spidar.tensions()[1], 0.0);
-  EXPECT_EQ(spidar.tensions()[2], 0.3);
-  EXPECT_EQ(spidar.tensions()[3], 1.0);
-}
-
-TEST(SimulatedSpidar, CountsAreWholeAndZeroAtTheCentreWhereverTheMotionBegins) {
-  SpidarSettings settings = settings_of();
-  const Pose start{{0.01, 0.0, 0.0}, Quaternion::Identity()};
-  SimulatedSpidar spidar(device_of(settings), std::make_unique<IntendedTrajectory>(still(start)));
-  SpidarVector counts;
-  ASSERT_TRUE(spidar.read(0.0, counts));
-  EXPECT_EQ(counts, counts_at(settings.geometry, start));
-  spidar.set_grip({});
-  ASSERT_TRUE(spidar.read(0.0, counts));
-  EXPECT_EQ(counts.cwiseAbs().maxCoeff(), 0.0);
-}
-
-TEST(SimulatedSpidar, AClockThatFailsAndAPulledPlugFail) {
-  SpidarSettings settings = settings_of();
-  Simulated spidar(settings, device_of(settings), still());
-  InterfaceState state;
-  EXPECT_EQ(spidar.interface->read(std::numeric_limits<double>::quiet_NaN(), state), InterfaceStatus::kLost);
-  EXPECT_EQ(spidar.interface->read(1e6, state), InterfaceStatus::kLost);
-  EXPECT_EQ(spidar.interface->read(kPeriod, state), InterfaceStatus::kOk);
-  spidar.interface->write({{{5.0, 0.0, 0.0}, Vector3::Zero()}, 0.0});
-  spidar.device_->set_connected(false);
-  EXPECT_EQ(spidar.device_->displayed().force.norm(), 0.0);
-  EXPECT_EQ(spidar.interface->read(2 * kPeriod, state), InterfaceStatus::kLost);
-  EXPECT_EQ(spidar.interface->calibrate(), InterfaceStatus::kLost);
-  spidar.device_->set_connected(true);
-  EXPECT_EQ(spidar.interface->read(3 * kPeriod, state), InterfaceStatus::kOk);
-}
-
-TEST(SimulatedSpidar, NothingIsAllocatedOnceMade) {
-  SpidarSettings settings = settings_of();
-  Simulated spidar(settings, device_of(settings), still());
-  InterfaceState state;
-  const testing::AllocationCounter counter;
-  for (int k = 0; k < 100; ++k) {
-    spidar.interface->read(k * kPeriod, state);
-    spidar.interface->write({{{0.5 * k, 0.0, 0.0}, Vector3::Zero()}, 0.0});
-  }
-  spidar.device_->set_connected(false);
-  spidar.interface->read(0.1, state);
-  spidar.interface->write({});
-  EXPECT_EQ(counter.count(), 0U);
 }
 
 }  // namespace

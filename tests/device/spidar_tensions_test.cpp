@@ -133,7 +133,7 @@ TEST(SpidarTensions, ScaleIsTheGreatestThatAnotherSolverFinds) {
     const Wrench wrench = random.wrench(60.0, 1.0);
     const SpidarTensions result = problem.solve(wrench);
     const double oracle = greatest_scale(problem, wrench);
-    if (result.display == SpidarDisplay::kNone) {
+    if (result.display == SpidarDisplay::kNearest) {
       ++none;
       EXPECT_EQ(oracle, -1.0) << k;
       continue;
@@ -154,6 +154,21 @@ TEST(SpidarTensions, AtTheCentreNoWrenchLeavesTheLeastTensionsWhereTheyBalance) 
   EXPECT_LT(difference(result.displayed, {}), 1e-9);
   EXPECT_NEAR(result.tensions.minCoeff(), 0.3, 1e-9);
   EXPECT_LT(result.tensions.maxCoeff(), 1.0);
+}
+
+TEST(SpidarTensions, HoldTheGripWithoutAWrenchInMostPoses) {
+  for (const char* name : {"x3r", "x3l", "x4r"}) {
+    SpidarPoses random(13);
+    const int poses = testing::sweep_size(30000);
+    int held = 0;
+    for (int k = 0; k < poses; ++k) {
+      const Case problem(spidar_preset(name).geometry, random.pose(0.02, kTurn));
+      held += problem.solve({}).display == SpidarDisplay::kExact ? 1 : 0;
+    }
+    EXPECT_GT(held, 0.88 * poses) << name;
+    EXPECT_LT(held, poses) << name;  // the corners of that box are beyond any SPIDAR of this size
+    std::printf("%s: no wrench is displayed exactly at %.1f %% of the poses\n", name, 100.0 * held / poses);
+  }
 }
 
 TEST(SpidarTensions, FollowTheWrenchWithoutJumpsOutOfReachAndBack) {
