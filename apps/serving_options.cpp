@@ -18,14 +18,18 @@
 namespace tegotae {
 namespace {
 
-bool is_loopback(const std::string& host) { return host == "localhost" || host == "::1" || host.starts_with("127."); }
+// A name may begin with 127. and lead elsewhere: of these only addresses.
+bool is_loopback(const std::string& host) {
+  const bool is_number = host.find_first_not_of("0123456789.") == std::string::npos;
+  return host == "localhost" || host == "::1" || (is_number && host.starts_with("127."));
+}
 
 }  // namespace
 
 ViewerOutput output_to(ViewerServer& server) {
-  return {[&](SharedText state) { server.publish(std::move(state)); },
+  return {[&](const SharedText& state) { server.publish(state); },
           [&](ViewerId viewer, SharedText message) { server.send(viewer, std::move(message)); },
-          [&](SharedText message) { server.send_all(std::move(message)); }, [&] { return server.viewer_count(); },
+          [&](const SharedText& message) { server.send_all(message); }, [&] { return server.viewer_count(); },
           [&](ViewerId viewer, std::string reason) { server.disconnect(viewer, std::move(reason)); }};
 }
 

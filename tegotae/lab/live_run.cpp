@@ -55,6 +55,7 @@ LiveRun::LiveRun(const LiveScene& scene, const SettingsRequest& wanted)
       highest_physics_rate_(
           measured_physics_rate(*world_, wanted.haptic_rate.value_or(SessionSettings{}.haptic_rate)).rate),
       in_hand_(scene.experiment == nullptr),
+      of_scene_(request_of(scene, *world_, {})),
       request_(request_of(scene, *world_, wanted)),
       settings_(decide(request_)),
       warnings_(scene_warnings(*world_, scene.file)),
@@ -100,7 +101,7 @@ RealtimeReport LiveRun::run(const std::atomic<bool>& stop, const RealtimeObserve
 void LiveRun::set(std::string_view name, std::optional<double> value) {
   const NumericSetting& setting = setting_called(name);
   SettingsRequest next = request_;
-  next.*setting.field = value;
+  next.*setting.field = value ? value : of_scene_.*setting.field;
   if (value) check_range(setting, *value);
   if (name == "haptic_rate") {
     throw InputError("the haptic rate is set when the program starts: --haptic-rate.");

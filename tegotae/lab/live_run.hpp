@@ -48,7 +48,7 @@ class LiveRun {
   void set(std::string_view name, std::optional<double> value);
   /// Another method; settings that it does not have are kept for the next one that has them. Throws InputError.
   void set_method(std::string_view name);
-  void pause(bool paused) noexcept { link_.paused.store(paused, std::memory_order_relaxed); }
+  void pause(bool paused) noexcept { link_.pause(paused); }
   bool is_paused() const noexcept { return link_.paused.load(std::memory_order_relaxed); }
   /// Lets a paused run go on for one period of the physics.
   void step() noexcept;
@@ -98,7 +98,8 @@ class LiveRun {
   LiveScene scene_;
   std::unique_ptr<MujocoWorld> world_;
   double highest_physics_rate_ = 0.0;
-  bool in_hand_;  ///< a hand feels what is commanded, and the interface's rating holds
+  bool in_hand_;              ///< a hand feels what is commanded, and the interface's rating holds
+  SettingsRequest of_scene_;  ///< what scene and experiment ask for
   SettingsRequest request_;
   SessionSettings settings_;
   std::vector<std::string> warnings_;

@@ -33,12 +33,14 @@ SharedText shared(std::string text) { return std::make_shared<const std::string>
 LiveSession::LiveSession(LiveSessionOptions options, ViewerOutput output, Log log)
     : options_(std::move(options)), output_(std::move(output)), log_(std::move(log)) {
   begin(options_.scene, options_.settings);
+  if (!options_.file) return;
+  start_recording(*options_.file);
+  if (!recording_) throw InputError(fmt::format("{}: a recording cannot be written there.", options_.file->string()));
 }
 
 LiveSession::~LiveSession() = default;
 
 void LiveSession::run(const std::atomic<bool>& stop) {
-  if (options_.file) start_recording(*options_.file);
   const auto observer = [this](const TickRecord& record) {
     frames_->add(record);
     has_ticks_ = true;

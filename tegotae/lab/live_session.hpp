@@ -36,7 +36,7 @@ class LiveSession {
   using Log = std::function<void(NoticeLevel, const std::string&)>;
 
   /// `log` gets the sentences that go to all viewers, for the terminal. Throws InputError, SceneError where the first
-  /// scene cannot be run.
+  /// scene cannot be run or the recording not be written.
   LiveSession(LiveSessionOptions options, ViewerOutput output, Log log);
   ~LiveSession();
 

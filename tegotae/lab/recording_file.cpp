@@ -29,7 +29,9 @@ class CsvExport {
 
   void take(const McapMessage& message) {
     if (message.topic == kSessionTopic.topic) {
-      for (const auto& note : parsed(message).value("notes", Json::array())) notes_.push_back(note.get<std::string>());
+      for (const auto& note : parsed(message).value("notes", Json::array())) {
+        if (note.is_string()) notes_.push_back(note.get<std::string>());
+      }
     }
     if (message.topic == kTickTopic.topic) write_row(parsed(message));
   }

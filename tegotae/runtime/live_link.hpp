@@ -58,7 +58,11 @@ struct LiveLink {
   std::function<void(const RealtimeRights& haptics, const RealtimeRights& physics)> on_rights;
   std::function<void()> on_pass;  ///< called on the observer's thread after each look at the records, every 5 ms
 
-  /// One physics period of `physics_period` (s) at a time, haptics at `haptic_period` (s).
+  /// Stops time or lets it go on; steps that were granted and not taken are forgotten.
+  void pause(bool stands_still) noexcept;
+
+  /// One physics period of `physics_period` (s), haptics at `haptic_period` (s); what is left of the last one is not
+  /// added.
   void grant_step(double physics_period, double haptic_period) noexcept;
 };
 

@@ -113,7 +113,7 @@ TEST(LiveRun, APausedRunStandsStillAndGoesOnByPeriods) {
       EXPECT_EQ(steered.ticks, paused_at) << "nothing happens";
     }
     if (steps_given < 5) {
-      steered.run.step();
+      for (int i = 0; i < 3; ++i) steered.run.step();  // in one breath: one step
       ++steps_given;
       waited = 0;
       return false;
@@ -221,6 +221,9 @@ TEST(LiveRun, SettingsOfOneMethodComeBackWithIt) {
   EXPECT_EQ(run.settings().friction, 0.25);
   run.set("friction", std::nullopt);
   EXPECT_FALSE(run.settings().friction.has_value()) << "the scene's own";
+  run.set("stiffness", 700.0);
+  run.set("stiffness", std::nullopt);
+  EXPECT_EQ(run.settings().stiffness, 500.0) << "the scene's own";
 }
 
 TEST(LiveRun, ShowsTheMovingBodies) {

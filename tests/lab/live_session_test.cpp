@@ -251,6 +251,17 @@ TEST(LiveSession, RecordsWhatThePagesSaw) {
   EXPECT_GT(topics["/tegotae/tick"], 500);
 }
 
+TEST(LiveSession, DoesNotBeginWhereTheRecordingAskedForCannotBeWritten) {
+  LiveSessionOptions options = table();
+  options.file = "/no/such/folder/run.mcap";
+  try {
+    Pages pages(options);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("/no/such/folder/run.mcap"), std::string::npos) << error.what();
+  }
+}
+
 TEST(LiveSession, ARecordingGoesOnThroughScenesAndItsTimeNeverFalls) {
   const TemporaryFolder folder;
   LiveSessionOptions options = table();
