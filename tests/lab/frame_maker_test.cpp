@@ -56,7 +56,7 @@ TEST(FrameMaker, MeasuresTheRatesOfTheLastSecond) {
   Rig rig;
   rig.run(0, 3000);
   EXPECT_NEAR(rig.frame().numbers.haptic_rate, 1000.0, 1e-6);
-  for (int i = 0; i <= 200; ++i) rig.frame(0.01 * i, static_cast<std::uint64_t>(5 * i));
+  for (int i = 0; i <= 200; ++i) rig.frame(0.01 * i, 5 * static_cast<std::uint64_t>(i));
   EXPECT_NEAR(rig.frame(2.01, 1005).numbers.physics_rate, 500.0, 1.0);
 }
 

@@ -61,7 +61,7 @@ TEST(LiveInbox, IsFilledFromAnotherThread) {
   LiveInbox inbox;
   constexpr int kMessages = 5000;
   std::thread server([&] {
-    for (int i = 0; i < kMessages; ++i) inbox.joined(static_cast<ViewerId>(i + 1));
+    for (ViewerId viewer = 1; viewer <= kMessages; ++viewer) inbox.joined(viewer);
   });
   ViewerId last = 0;
   while (last < kMessages) {

@@ -61,7 +61,7 @@ class Pages {
     return wait([&]() -> Json {
       auto& mail = mail_[viewer];
       for (size_t i = 0; i < mail.size(); ++i) {
-        const Json one = Json::parse(mail[i]);
+        Json one = Json::parse(mail[i]);
         if (one["type"] != type || !holds(one)) continue;
         mail.erase(mail.begin(), mail.begin() + static_cast<long>(i) + 1);
         return one;

@@ -63,9 +63,9 @@ class Served {
     return options;
   }
   ViewerOutput output() {
-    return {[this](SharedText state) { server_.publish(std::move(state)); },
+    return {[this](const SharedText& state) { server_.publish(state); },
             [this](ViewerId viewer, SharedText text) { server_.send(viewer, std::move(text)); },
-            [this](SharedText text) { server_.send_all(std::move(text)); }, [this] { return server_.viewer_count(); },
+            [this](const SharedText& text) { server_.send_all(text); }, [this] { return server_.viewer_count(); },
             [this](ViewerId viewer, std::string why) { server_.disconnect(viewer, std::move(why)); }};
   }
 
