@@ -35,8 +35,8 @@ class LiveRun {
   /// highest that the scene affords on this machine. Throws InputError, SceneError.
   LiveRun(const LiveScene& scene, const SettingsRequest& wanted);
 
-  /// `on_rights`: see LiveLink.
-  /// Runs until `stop` becomes true, `end` is called, the observer says so, or the physics fails.
+  /// Runs until `stop` becomes true, `end` is called, the observer says so, or the physics fails. `on_rights`: see
+  /// LiveLink.
   RealtimeReport run(const std::atomic<bool>& stop, const RealtimeObserver& observer, std::function<void()> on_pass,
                      std::function<void(const RealtimeRights&, const RealtimeRights&)> on_rights = {});
 

@@ -94,6 +94,29 @@ TEST(RealtimeSession, TwoThreadsRunAtTheirRatesAndTheLastCommandIsZero) {
   EXPECT_GT(records.back().model_sequence, 10u);
 }
 
+// An interface that does not stand still with the run.
+TEST(RealtimeSession, CommandsZeroToARealInterfaceWhilePaused) {
+  Rig rig;
+  LiveLink link;
+  link.interface_waits = false;
+  constexpr int kMostPasses = 6000;  // a failure then, not a hang
+  int passes = 0, zeros = 0, others = 0;
+  link.on_pass = [&] { rig.stop = ++passes > kMostPasses; };
+  const auto observer = [&](const TickRecord& record) {
+    const bool stopped = ((record.safety_events >> static_cast<unsigned>(SafetyEvent::kStopped)) & 1U) != 0;
+    const double force = Vector3(record.displayed.force).norm();
+    if (!link.paused && force > 0.2) link.pause(true);
+    if (stopped && force == 0.0) ++zeros;
+    if (stopped && force != 0.0) ++others;
+    return zeros < 50;
+  };
+  run_realtime(rig.physics, *rig.haptics, rig.hand, 1e-3, 3600.0, rig.stop, observer, &link);
+  EXPECT_TRUE(link.paused) << "it pressed";
+  EXPECT_GE(zeros, 50);
+  EXPECT_EQ(others, 0);
+  EXPECT_EQ(rig.hand.last.wrench.force.norm(), 0.0);
+}
+
 TEST(RealtimeSession, TellsWhoWatchesOnceWhatTheSystemGranted) {
   Rig rig;
   LiveLink link;
