@@ -35,7 +35,7 @@ LiveSession::LiveSession(LiveSessionOptions options, ViewerOutput output, Log lo
   begin(options_.scene, options_.settings);
   if (!options_.file) return;
   start_recording(*options_.file);
-  if (!recording_) throw InputError(fmt::format("{}: a recording cannot be written there.", options_.file->string()));
+  if (!recording_) throw InputError(recording_error_);
 }
 
 LiveSession::~LiveSession() = default;
@@ -292,7 +292,8 @@ void LiveSession::stop_recording() {
   if (recording_->ok()) {
     tell(NoticeLevel::kInfo, fmt::format("{} ticks recorded in {}.", recording_->ticks(), recording_path_.string()));
   } else {
-    tell(NoticeLevel::kError, recording_->error());
+    recording_error_ = recording_->error();
+    tell(NoticeLevel::kError, recording_error_);
   }
   recording_.reset();
 }

@@ -101,6 +101,7 @@ class LiveSession {
   std::map<ViewerId, int> refusals_;  ///< messages that were none
   std::optional<std::string> motion_;
   std::unique_ptr<RecordingFile> recording_;
+  std::string recording_error_;  ///< of the last recording that failed
   std::filesystem::path recording_path_;
   double newest_time_ = 0.0;       ///< s, of the run
   double recording_offset_ = 0.0;  ///< s, from the time of the run to that of the recording: it outlives runs

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/live_messages.hpp>
 #include <tegotae/lab/live_session.hpp>
 #include <tegotae/stream/mcap_reader.hpp>
 
+#include <tests/file_size_limit.hpp>
 #include <tests/lab/temporary_folder.hpp>
 #include <tests/sweep_size.hpp>
 
@@ -252,13 +254,15 @@ TEST(LiveSession, RecordsWhatThePagesSaw) {
 }
 
 TEST(LiveSession, DoesNotBeginWhereTheRecordingAskedForCannotBeWritten) {
-  LiveSessionOptions options = table();
-  options.file = "/no/such/folder/run.mcap";
-  try {
-    Pages pages(options);
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("/no/such/folder/run.mcap"), std::string::npos) << error.what();
+  for (const std::string file : {"/no/such/folder/run.mcap", "/dev/full"}) {
+    LiveSessionOptions options = table();
+    options.file = file;
+    try {
+      Pages pages(options);
+      FAIL() << file;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(file), std::string::npos) << error.what();
+    }
   }
 }
 
@@ -347,14 +351,18 @@ TEST(LiveSession, ASceneThatCannotBeLoadedGivesWayToTheOneBefore) {
 }
 
 TEST(LiveSession, AFullDiskEndsTheRecordingAndNothingElse) {
+  const TemporaryFolder folder;
+  const testing::FileSizeLimit disk(200'000);
   LiveSessionOptions options = table();
-  options.file = "/dev/full";
+  options.file = folder.path() / "run.mcap";
   Pages pages(options);
   pages.inbox().joined(1);
-  const Json state = pages.state([](const Json& s) { return s["t"] > 0.5; });
-  pages.state([](const Json& s) { return s["t"] > 1.0 && s["recording"] == false; });
+  const Json notice = pages.message(1, "notice", [](const Json& n) { return n["level"] == "error"; });
+  EXPECT_NE(notice["text"].get<std::string>().find("run.mcap"), std::string::npos) << notice["text"];
+  const Json state = pages.state([](const Json& s) { return s["recording"] == false; });
+  pages.state([&](const Json& s) { return s["t"] > state["t"].get<double>() + 0.5; });
   pages.stop();
-  SUCCEED() << state["n"];
+  EXPECT_LE(std::filesystem::file_size(*options.file), 200'000U);
 }
 
 TEST(LiveSession, APageThatOnlyTalksNonsenseIsDisconnected) {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/runtime/csv_writer.hpp>
 
+#include <tests/file_size_limit.hpp>
 #include <tests/runtime/text_files.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <bit>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <limits>
 #include <numbers>
@@ -19,6 +18,7 @@ namespace tegotae {
 namespace {
 
 using ::testing::EndsWith;
+using testing::FileSizeLimit;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using testing::TemporaryFolder;
@@ -109,26 +109,6 @@ TEST(CsvWriter, FullDiskIsSaidAndTheLoopGoesOn) {
   EXPECT_THAT(writer.error(), HasSubstr("No space left"));
   EXPECT_EQ(writer.rows_lost(), 10U);
 }
-
-// Limits the size of files that this process may write, for the test's time: a disk that fills up in the middle.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &old_);
-    const rlimit limit{bytes, old_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &old_);
-    static_cast<void>(std::signal(SIGXFSZ, old_handler_));
-  }
-
- private:
-  rlimit old_{};
-  void (*old_handler_)(int);
-};
 
 TEST(CsvWriter, DiskThatFillsUpLeavesCompleteRowsOnly) {
   const TemporaryFolder folder;
