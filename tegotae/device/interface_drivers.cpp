@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/interface_drivers.hpp>
+#include <tegotae/device/spidar_driver.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace tegotae {
+
+std::span<const InterfaceDriver* const> interface_drivers() {
+  static const std::array<const InterfaceDriver*, 1> drivers = {&spidar_driver()};
+  return drivers;
+}
+
+InterfaceName parse_interface_name(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return {std::string(text), ""};
+  return {std::string(text.substr(0, colon)), std::string(text.substr(colon + 1))};
+}
+
+const InterfaceDriver& find_interface_driver(std::string_view name) {
+  std::string names;
+  for (const InterfaceDriver* driver : interface_drivers()) {
+    if (driver->name == name) return *driver;
+    names += (names.empty() ? "" : ", ") + std::string(driver->name);
+  }
+  throw InterfaceError(fmt::format("there is no driver '{}'; there are: {}.", name, names));
+}
+
+}  // namespace tegotae

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/spidar_driver.hpp>
+
+#include <fmt/format.h>
+
+namespace tegotae {
+namespace {
+
+constexpr std::string_view kNoTransport =
+    "no transport to a SPIDAR's board is part of this program, as its packets are not public: fill in SpidarTransport "
+    "for yours (docs/spidar.md), or take the simulated one, spidar-g6:x3r,simulated";
+
+InterfacePresence find() { return {"", {}, {}, fmt::format("{}.", kNoTransport)}; }
+
+std::unique_ptr<HapticInterface> open(std::string_view options) {
+  throw InterfaceError(fmt::format("spidar-g6{}{}: {}.", options.empty() ? "" : ":", options, kNoTransport));
+}
+
+constexpr InterfaceDriver kDriver = {
+    "spidar-g6",
+    "SPIDAR-G6, eight strings",
+    "PRESET|FILE,simulated",
+    "its owner's transport: the board must let go of the motors by itself where no packet comes.",
+    find,
+    open,
+    nullptr,
+};
+
+}  // namespace
+
+const InterfaceDriver& spidar_driver() noexcept { return kDriver; }
+
+}  // namespace tegotae
