@@ -24,5 +24,7 @@ void add_stability_command(CLI::App& program);
 void add_compare_command(CLI::App& program);
 void add_export_command(CLI::App& program);
 void add_replay_command(CLI::App& program);
+void add_interfaces_command(CLI::App& program);
+void add_guard_command(CLI::App& program);
 
 }  // namespace tegotae

@@ -30,6 +30,7 @@ void refuse_unknown_command(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-' || command_of(program, argc, argv) != nullptr) return;
   std::string names;
   for (const CLI::App* command : commands_of(program)) {
+    if (command->get_group().empty()) continue;  // for the program itself
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
   throw tegotae::UsageError("there is no command '" + std::string(argv[1]) + "'; there are: " + names +
@@ -56,6 +57,8 @@ int run(int argc, char** argv) {
   tegotae::add_compare_command(program);
   tegotae::add_export_command(program);
   tegotae::add_replay_command(program);
+  tegotae::add_interfaces_command(program);
+  tegotae::add_guard_command(program);
   try {
     refuse_unknown_command(program, argc, argv);
     program.parse(argc, argv);
