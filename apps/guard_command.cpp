@@ -34,8 +34,9 @@ void guard(const std::string& interface) {
 void add_guard_command(CLI::App& program) {
   auto interface = std::make_shared<std::string>();
   CLI::App* const command =
-      program.add_subcommand("guard", "Bring an interface to zero where the program at the other end of standard input "
-                                      "dies; the program starts this itself.");
+      program.add_subcommand("guard",
+                             "Bring an interface to zero where the program at the other end of standard input "
+                             "dies; the program starts this itself.");
   command->group("");  // not listed
   command->add_option("INTERFACE", *interface)->required();
   command->callback([interface] { guard(*interface); });

@@ -4,6 +4,8 @@
 #include <apps/serving_options.hpp>
 #include <apps/settings_options.hpp>
 #include <apps/validators.hpp>
+#include <tegotae/device/guard_process.hpp>
+#include <tegotae/device/interface_drivers.hpp>
 #include <tegotae/lab/experiment.hpp>
 #include <tegotae/lab/live_messages.hpp>
 #include <tegotae/lab/live_session.hpp>
@@ -15,6 +17,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace tegotae {
 namespace {
@@ -55,16 +59,46 @@ void log(NoticeLevel level, const std::string& text) {
   fmt::print(stderr, "tegotae: {}: {}\n", level == NoticeLevel::kWarning ? "warning" : "error", text);
 }
 
-void check_interface(const std::string& name) {
-  if (name == "page") return;
-  throw UsageError(fmt::format(
-      "there is no interface '{}'; there is: page (a simulated interface and hand that the page guides).", name));
+// What the hand holds, and the process that brings it to zero where this one dies. The guard comes first: it holds
+// nothing that is opened later.
+struct HeldInterface {
+  std::unique_ptr<GuardProcess> guard;
+  std::unique_ptr<HapticInterface> device;  ///< null: a simulated one, which the page guides
+};
+
+const InterfaceDriver& driver_called(const std::string& name) {
+  try {
+    return find_interface_driver(name);
+  } catch (const InterfaceError& error) {
+    throw UsageError(fmt::format("{} 'page' is a simulated interface and hand that the page guides.", error.what()));
+  }
+}
+
+HeldInterface hold_interface(const std::string& text) {
+  if (text == "page") return {};
+  const InterfaceName name = parse_interface_name(text);
+  const InterfaceDriver& driver = driver_called(name.driver);
+  listen_for_interruption();  // from here on a signal leaves by way of the interface's destructor
+  HeldInterface held;
+  if (driver.silence != nullptr) {
+    held.guard = std::make_unique<GuardProcess>("/proc/self/exe", std::vector<std::string>{"guard", text});
+  }
+  held.device = driver.open(name.options);
+  const InterfaceCapability capability = held.device->capability();
+  fmt::print("tegotae: {} is in the hand: {:g} N, {:g} N m at most. After a crash: {}\n", capability.name,
+             capability.max_force, capability.max_torque, driver.after_a_crash);
+  return held;
 }
 
 void serve(const ServeOptions& options) {
-  check_interface(options.interface);
+  if (options.interface != "page" && !options.experiment.empty()) {
+    throw UsageError("an experiment plays a motion of its own; give either --experiment or --interface, not both.");
+  }
+  const HeldInterface held = hold_interface(options.interface);
   ViewerServer server(options.serving.server_options());
-  LiveSession session(session_options(options), output_to(server), log);
+  LiveSessionOptions session_wanted = session_options(options);
+  session_wanted.device = held.device.get();
+  LiveSession session(std::move(session_wanted), output_to(server), log);
   listen_for_interruption();
   serve_until_stopped(server, session.inbox(), [&] {
     options.serving.announce(server, session.scene_name());
@@ -84,9 +118,11 @@ void add_serve_command(CLI::App& program) {
   command->add_option("--experiment", options->experiment, "Experiment to play, in place of a scene")
       ->type_name("NAME");
   command
-      ->add_option("--interface", options->interface,
-                   "Interface in the hand; page: simulated, guided from the page; default: page")
-      ->type_name("NAME");
+      ->add_option(
+          "--interface", options->interface,
+          "Interface in the hand: one that 'tegotae interfaces' lists, or page: simulated, guided from the page; "
+          "default: page")
+      ->type_name("NAME[:OPTIONS]");
   command->add_option("--record", options->recording, "Recording (MCAP) to write from the beginning")
       ->type_name("FILE")
       ->check(not_empty("a file"));

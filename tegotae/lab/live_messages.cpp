@@ -43,10 +43,15 @@ std::string live_settings_message(const LiveRun& run) {
 std::string live_scene_message(const LiveRun& run, std::span<const LiveScene> scenes) {
   SceneNames names = session_names(run.scene().name, run.settings());
   for (const LiveScene& scene : scenes) names.scenes.push_back(scene.name);
+  if (run.has_device()) {
+    // A person moves it: nothing is played.
+    names.interface = run.interface().name;
+    names.experiments.clear();
+    return encode_scene(run.geometry(), names);
+  }
   for (const ScriptedMotion& motion : scripted_motions()) {
     names.motions.push_back({std::string(motion.name), std::string(motion.summary)});
   }
-  names.interface = "page";
   return encode_scene(run.geometry(), names);
 }
 

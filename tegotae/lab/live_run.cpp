@@ -49,8 +49,9 @@ const NumericSetting& setting_called(std::string_view name) {
 
 }  // namespace
 
-LiveRun::LiveRun(const LiveScene& scene, const SettingsRequest& wanted)
+LiveRun::LiveRun(const LiveScene& scene, const SettingsRequest& wanted, HapticInterface* device)
     : scene_(scene),
+      device_(device),
       world_(load_mujoco_world(scene.file, scene.tool)),
       highest_physics_rate_(
           measured_physics_rate(*world_, wanted.haptic_rate.value_or(SessionSettings{}.haptic_rate)).rate),
@@ -59,11 +60,21 @@ LiveRun::LiveRun(const LiveScene& scene, const SettingsRequest& wanted)
       request_(request_of(scene, *world_, wanted)),
       settings_(decide(request_)),
       warnings_(scene_warnings(*world_, scene.file)),
-      hand_(geometry().tool.X_WT, simulated_device("page"), simulated_hand("moderate"),
-            motion_of(scene, geometry().tool)),
       physics_(*world_, {1.0 / settings_.physics_rate, settings_.margin}, needs_of(settings_.make_method(geometry()))),
       haptics_(settings_.make_method(geometry()), geometry().tool,
-               safety_limits_of(settings_, interface(), geometry().tool), 1.0 / settings_.haptic_rate) {}
+               safety_limits_of(settings_, interface(), geometry().tool), 1.0 / settings_.haptic_rate) {
+  if (device_ != nullptr) {
+    // Its time goes on where the run is paused, and then it is told zero.
+    link_.interface_waits = false;
+    if (scene.experiment == nullptr) return;
+    throw InputError(
+        fmt::format("the experiment '{}' plays a motion of its own, and {} is in somebody's hand; perform "
+                    "it without the device: tegotae experiment {}.",
+                    scene.experiment->name, interface().name, scene.experiment->name));
+  }
+  hand_.emplace(geometry().tool.X_WT, simulated_device("page"), simulated_hand("moderate"),
+                motion_of(scene, geometry().tool));
+}
 
 SessionSettings LiveRun::decide(const SettingsRequest& request) const {
   SettingsRequest complete = fitting(request);
@@ -74,11 +85,12 @@ SessionSettings LiveRun::decide(const SettingsRequest& request) const {
 }
 
 InterfaceCapability LiveRun::interface() const {
+  if (device_ != nullptr) return device_->capability();
   return in_hand_ ? simulated_device("page").capability : PlaybackInterface::default_capability();
 }
 
 bool LiveRun::hand_took_over() {
-  if (in_hand_ || hand_.is_playing_exactly()) return false;
+  if (in_hand_ || is_playing_exactly()) return false;
   in_hand_ = true;
   change(request_);
   return true;
@@ -95,7 +107,8 @@ RealtimeReport LiveRun::run(const std::atomic<bool>& stop, const RealtimeObserve
     pass();
     ending = ended_ || stop;
   };
-  return run_realtime(physics_, haptics_, hand_, 1.0 / settings_.haptic_rate, kWithoutEnd, ending, observer, &link_);
+  HapticInterface& held = device_ != nullptr ? *device_ : *hand_;
+  return run_realtime(physics_, haptics_, held, 1.0 / settings_.haptic_rate, kWithoutEnd, ending, observer, &link_);
 }
 
 void LiveRun::set(std::string_view name, std::optional<double> value) {
@@ -141,19 +154,32 @@ void LiveRun::change(const SettingsRequest& request) {
 
 void LiveRun::step() noexcept { link_.grant_step(1.0 / settings_.physics_rate, 1.0 / settings_.haptic_rate); }
 
+LiveHand& LiveRun::guided_hand() {
+  if (!hand_) throw InputError(fmt::format("{} is the hand; the page cannot move the tool.", interface().name));
+  return *hand_;
+}
+
 void LiveRun::guide(const Pose& X_WT) {
-  hand_.interrupt();
-  hand_.guide().guide(X_WT);
+  LiveHand& hand = guided_hand();
+  hand.interrupt();
+  hand.guide().guide(X_WT);
 }
 
 void LiveRun::play(Trajectory script) {
-  hand_.interrupt();
-  hand_.guide().play(std::move(script));
+  LiveHand& hand = guided_hand();
+  hand.interrupt();
+  hand.guide().play(std::move(script));
 }
 
 void LiveRun::stop_motion() {
-  hand_.interrupt();
-  hand_.guide().stop();
+  LiveHand& hand = guided_hand();
+  hand.interrupt();
+  hand.guide().stop();
+}
+
+std::optional<Pose> LiveRun::intended() {
+  if (!hand_ || hand_->is_playing_exactly()) return std::nullopt;
+  return hand_->guide().intended();
 }
 
 const ContactView& LiveRun::contacts() {

@@ -27,13 +27,16 @@ struct LiveScene {
   const Experiment* experiment = nullptr;  ///< whose motion is played first; null: none
 };
 
-/// One run of a scene in real time, from its first state: world, both loops, and a simulated hand and interface that a
-/// person guides. What steers it is called from the thread that `run` is called on (its observer, its `on_pass`).
+/// One run of a scene in real time, from its first state: world, both loops, and a device in somebody's hand, or else a
+/// simulated hand and interface that a person guides. What steers it is called from the thread that `run` is called on
+/// (its observer, its `on_pass`).
 class LiveRun {
  public:
   /// `wanted` wins over the experiment's settings, these over the scene's. A physics rate that nobody set is the
-  /// highest that the scene affords on this machine. Throws InputError, SceneError.
-  LiveRun(const LiveScene& scene, const SettingsRequest& wanted);
+  /// highest that the scene affords on this machine. `device`, which must outlive the run, is what the hand holds;
+  /// null: the simulated one. Throws InputError, also for an experiment on a device: its motion is played by a
+  /// simulated hand; SceneError.
+  LiveRun(const LiveScene& scene, const SettingsRequest& wanted, HapticInterface* device = nullptr);
 
   /// Runs until `stop` becomes true, `end` is called, the observer says so, or the physics fails. `on_rights`: see
   /// LiveLink.
@@ -54,6 +57,8 @@ class LiveRun {
   void step() noexcept;
   void end() noexcept { ended_ = true; }
 
+  // Of the simulated hand; with a device they throw InputError.
+
   /// Guides the hand to a pose; ends what plays.
   void guide(const Pose& X_WT);
   /// Plays a scripted motion: see GuidedMotion. Ends an experiment's.
@@ -67,10 +72,11 @@ class LiveRun {
   /// settings are those that the interface is rated for from then on.
   bool hand_took_over();
 
-  bool is_playing() const noexcept { return hand_.is_playing_exactly() || hand_.guide().is_playing(); }
-  bool is_playing_exactly() const noexcept { return hand_.is_playing_exactly(); }
-  /// Where the hand means the tool to be.
-  Pose intended() { return hand_.guide().intended(); }
+  bool has_device() const noexcept { return device_ != nullptr; }
+  bool is_playing() const noexcept { return hand_ && (hand_->is_playing_exactly() || hand_->guide().is_playing()); }
+  bool is_playing_exactly() const noexcept { return hand_ && hand_->is_playing_exactly(); }
+  /// Where a simulated hand that is guided means the tool to be.
+  std::optional<Pose> intended();
   /// Contacts of a tick at most a frame ago.
   const ContactView& contacts();
   const MovingBodies& bodies();
@@ -94,8 +100,10 @@ class LiveRun {
  private:
   SessionSettings decide(const SettingsRequest& request) const;
   void change(const SettingsRequest& request);
+  LiveHand& guided_hand();
 
   LiveScene scene_;
+  HapticInterface* device_;
   std::unique_ptr<MujocoWorld> world_;
   double highest_physics_rate_ = 0.0;
   bool in_hand_;              ///< a hand feels what is commanded, and the interface's rating holds
@@ -103,7 +111,7 @@ class LiveRun {
   SettingsRequest request_;
   SessionSettings settings_;
   std::vector<std::string> warnings_;
-  LiveHand hand_;
+  std::optional<LiveHand> hand_;  ///< where there is no device
   PhysicsLoop physics_;
   HapticTick haptics_;
   LiveLink link_;

@@ -95,7 +95,7 @@ void LiveSession::tell_rights(const RealtimeRights& haptics, const RealtimeRight
 
 // The scene that has run until now stays until the new one stands.
 void LiveSession::begin(const LiveScene& scene, const SettingsRequest& wanted) {
-  run_ = std::make_unique<LiveRun>(scene, wanted);
+  run_ = std::make_unique<LiveRun>(scene, wanted, options_.device);
   frames_ = std::make_unique<FrameMaker>(run_->settings(), run_->geometry().tool.mass.centre_of_mass);
   recording_offset_ += newest_time_ + 1.0 / run_->settings().haptic_rate;
   newest_time_ = 0.0;
@@ -164,7 +164,8 @@ struct LiveSession::Handler {
   LiveRun& run() const { return *session.run_; }
 
   void operator()(const viewer_command::Hand& hand) const {
-    if (session.hand_ && session.hand_ != viewer) return;
+    // A page that has not heard of the device yet, or another's hand: many messages a second, none worth an answer.
+    if (run().has_device() || (session.hand_ && session.hand_ != viewer)) return;
     session.hand_ = viewer;
     session.hand_heard_ = Clock::now();
     session.motion_.reset();
@@ -233,7 +234,7 @@ void LiveSession::release_silent_hand() {
 
 void LiveSession::show() {
   ViewFrame frame = frames_->frame(run_->contacts(), run_->bodies());
-  if (!run_->is_playing_exactly()) frame.target = run_->intended();
+  frame.target = run_->intended();
   frame.paused = run_->is_paused();
   frame.motion = motion_;
   frame.hand = hand_;

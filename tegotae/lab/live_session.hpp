@@ -27,6 +27,7 @@ struct LiveSessionOptions {
   SettingsRequest settings;                   ///< these win over those of every scene
   std::filesystem::path recordings = ".";     ///< folder of the recordings that a page starts
   std::optional<std::filesystem::path> file;  ///< a recording from the beginning
+  HapticInterface* device = nullptr;  ///< what the hand holds, outlives the session; null: simulated, guided by a page
 };
 
 /// A scene in real time for the pages that look at it: it makes what they ask for, and shows them what came of it. Runs

@@ -17,9 +17,7 @@ namespace {
 std::atomic<int> tries{0};
 std::atomic<int> tries_needed{1};
 
-bool silence_after_some_tries(std::string_view options) noexcept {
-  return options == "7" && ++tries >= tries_needed;
-}
+bool silence_after_some_tries(std::string_view options) noexcept { return options == "7" && ++tries >= tries_needed; }
 
 InterfaceDriver driver() {
   InterfaceDriver made = {"double", "a double", "", "the guard.", nullptr, nullptr, &silence_after_some_tries};

@@ -31,8 +31,12 @@ export class Hand {
       const { state, viewer, scene } = this.program;
       if (state === null || !this.program.isLive) return false;
       if (state.target === null) {
-        const who = state.motion ?? scene?.interface ?? "a device";
-        this.program.notice("info", `“${who}” moves the tool now; stop it to take the tool yourself.`);
+        this.program.notice(
+          "info",
+          state.motion !== null
+            ? `“${state.motion}” moves the tool now; stop it to take the tool yourself.`
+            : `The tool is in the hand at ${scene?.interface ?? "a device"}; the page shows it.`,
+        );
         return false;
       }
       if (state.hand !== null && state.hand !== viewer) {
