@@ -26,5 +26,6 @@ void add_export_command(CLI::App& program);
 void add_replay_command(CLI::App& program);
 void add_interfaces_command(CLI::App& program);
 void add_guard_command(CLI::App& program);
+void add_doctor_command(CLI::App& program);
 
 }  // namespace tegotae

@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
   tegotae::add_replay_command(program);
   tegotae::add_interfaces_command(program);
   tegotae::add_guard_command(program);
+  tegotae::add_doctor_command(program);
   try {
     refuse_unknown_command(program, argc, argv);
     program.parse(argc, argv);

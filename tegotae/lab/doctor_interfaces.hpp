@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tegotae/device/interface_driver.hpp>
+#include <tegotae/lab/doctor_system.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace tegotae {
+
+/// Whether this process may read and write a device's node.
+using NodeAccess = std::function<bool(const std::filesystem::path&)>;
+
+/// Asks the system.
+bool may_use_node(const std::filesystem::path& node);
+
+/// A finding for each force-feedback interface and 3-D mouse on the USB, known by its maker's number: whether the
+/// process may use its node. One finding that there is none, where there is none.
+std::vector<Finding> usb_findings(const SystemRoots& roots, const NodeAccess& may_use = may_use_node);
+
+/// A finding for each driver: whether its library and a device were found, and where was looked. What is missing could
+/// be better, as nobody owns all of them; for the one called `wanted` (empty: none) it is not possible. Throws
+/// InputError, with the names, where no driver is called so.
+std::vector<Finding> driver_findings(std::span<const InterfaceDriver* const> drivers, std::string_view wanted);
+
+}  // namespace tegotae

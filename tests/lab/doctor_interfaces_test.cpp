@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/doctor_interfaces.hpp>
+#include <tegotae/lab/input_error.hpp>
+#include <tests/lab/made_up_machine.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace tegotae {
+namespace {
+
+using ::testing::HasSubstr;
+
+void plug_in(const MadeUpMachine& machine, const std::string& place, const std::string& vendor,
+             const std::string& product) {
+  const std::string device = "sys/bus/usb/devices/" + place;
+  machine.write(device + "/idVendor", vendor + "\n");
+  machine.write(device + "/idProduct", product + "\n");
+  machine.write(device + "/busnum", "3\n");
+  machine.write(device + "/devnum", "12\n");
+}
+
+bool anyone(const std::filesystem::path&) { return true; }
+bool nobody(const std::filesystem::path&) { return false; }
+
+TEST(DoctorInterfaces, NothingPluggedIn) {
+  const MadeUpMachine machine;
+  plug_in(machine, "1-1", "8087", "0024");  // a hub
+  const std::vector<Finding> findings = usb_findings(machine.roots(), anyone);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].verdict, Verdict::kCouldBeBetter);
+  EXPECT_THAT(findings[0].found, HasSubstr("no known force-feedback interface"));
+}
+
+TEST(DoctorInterfaces, ADeviceThatMayBeUsedAndOneThatMayNot) {
+  const MadeUpMachine machine;
+  plug_in(machine, "3-2", "1451", "0402");
+  const std::string node = (machine.roots().dev / "bus/usb/003/012").string();
+  std::string asked;
+  const std::vector<Finding> fine = usb_findings(machine.roots(), [&](const std::filesystem::path& path) {
+    asked = path.string();
+    return true;
+  });
+  ASSERT_EQ(fine.size(), 1U);
+  EXPECT_EQ(asked, node);
+  EXPECT_EQ(fine[0].verdict, Verdict::kOk);
+  EXPECT_THAT(fine[0].found, HasSubstr("Force Dimension (1451:0402) may be used"));
+  const std::vector<Finding> refused = usb_findings(machine.roots(), nobody);
+  ASSERT_EQ(refused.size(), 1U);
+  EXPECT_EQ(refused[0].verdict, Verdict::kNotPossible);
+  EXPECT_THAT(refused[0].mend, testing::AllOf(HasSubstr("ATTR{idVendor}==\"1451\""),
+                                              HasSubstr("/etc/udev/rules.d/70-tegotae-1451.rules")));
+}
+
+TEST(DoctorInterfaces, ATouchIsASerialPort) {
+  const MadeUpMachine machine;
+  plug_in(machine, "3-2", "2988", "0302");
+  const std::vector<Finding> without_driver = usb_findings(machine.roots(), anyone);
+  ASSERT_EQ(without_driver.size(), 1U);
+  EXPECT_EQ(without_driver[0].verdict, Verdict::kNotPossible);
+  EXPECT_THAT(without_driver[0].mend, HasSubstr("cdc_acm"));
+  machine.write("sys/bus/usb/devices/3-2/3-2:1.0/tty/ttyACM1/dev", "166:1\n");
+  const std::vector<Finding> refused = usb_findings(machine.roots(), nobody);
+  EXPECT_THAT(refused[0].found, HasSubstr("/dev/ttyACM1, which you may not"));
+  EXPECT_THAT(refused[0].mend, HasSubstr("dialout"));
+  EXPECT_EQ(usb_findings(machine.roots(), anyone)[0].verdict, Verdict::kOk);
+}
+
+TEST(DoctorInterfaces, KnowsProductsWhereAMakerHasOthers) {
+  const MadeUpMachine machine;
+  plug_in(machine, "1-1", "0403", "6001");  // a serial adapter with the same maker's number as the Falcon
+  plug_in(machine, "1-2", "0403", "cb48");
+  plug_in(machine, "1-3", "046d", "c077");  // a mouse
+  plug_in(machine, "1-4", "046d", "c626");  // a SpaceNavigator
+  const std::vector<Finding> findings = usb_findings(machine.roots(), nobody);
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_THAT(findings[0].found, HasSubstr("3Dconnexion"));
+  EXPECT_EQ(findings[0].verdict, Verdict::kOk) << "the daemon's business";
+  EXPECT_THAT(findings[1].found, HasSubstr("Falcon"));
+}
+
+TEST(DoctorInterfaces, ADeviceThatTellsNoNumberHasNoNode) {
+  const MadeUpMachine machine;
+  plug_in(machine, "1-2", "1451", "0402");
+  machine.write("sys/bus/usb/devices/1-2/devnum", "\n");
+  EXPECT_EQ(usb_findings(machine.roots(), anyone)[0].verdict, Verdict::kNotPossible);
+}
+
+TEST(DoctorInterfaces, ANodeThatIsNotThereMayNotBeUsed) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(may_use_node(folder.path() / "none"));
+  EXPECT_TRUE(may_use_node(folder.write("node", "")));
+}
+
+InterfacePresence present() { return {"/opt/lib/libA.so", {"libA.so"}, {"omega.7: a:0"}, ""}; }
+InterfacePresence absent() { return {"", {"libB.so", "libB.so.3"}, {}, "install B."}; }
+
+constexpr InterfaceDriver kPresent{"a", "", "", "", present, nullptr, nullptr};
+constexpr InterfaceDriver kAbsent{"b", "", "", "", absent, nullptr, nullptr};
+constexpr std::array<const InterfaceDriver*, 2> kDrivers = {&kPresent, &kAbsent};
+
+TEST(DoctorInterfaces, DriversAndWhereTheyLooked) {
+  const std::vector<Finding> findings = driver_findings(kDrivers, "");
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_EQ(findings[0].verdict, Verdict::kOk);
+  EXPECT_EQ(findings[0].found, "library /opt/lib/libA.so; omega.7: a:0.");
+  EXPECT_EQ(findings[1].verdict, Verdict::kCouldBeBetter);
+  EXPECT_EQ(findings[1].found, "no library (looked for libB.so, libB.so.3); no device seen.");
+  EXPECT_EQ(findings[1].mend, "install B.");
+}
+
+TEST(DoctorInterfaces, TheOneThatIsWantedMustBeThere) {
+  EXPECT_EQ(driver_findings(kDrivers, "a")[1].verdict, Verdict::kCouldBeBetter);
+  EXPECT_EQ(driver_findings(kDrivers, "b")[1].verdict, Verdict::kNotPossible);
+  EXPECT_THAT([] { driver_findings(kDrivers, "c"); },
+              testing::ThrowsMessage<InputError>("there is no interface 'c'; there are: a, b."));
+}
+
+}  // namespace
+}  // namespace tegotae
