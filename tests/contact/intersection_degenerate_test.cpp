@@ -4,6 +4,7 @@
 
 #include <tests/contact/half_space_oracle.hpp>
 #include <tests/contact/intersection_cases.hpp>
+#include <tests/sweep_size.hpp>
 
 #include <gtest/gtest.h>
 
@@ -90,7 +91,8 @@ class IntersectionDegenerate : public ::testing::TestWithParam<DegenerateCase> {
 TEST_P(IntersectionDegenerate, LosesNoVertexAndGivesNoneTwice) {
   std::mt19937_64 random(41);
   ClipWorkspace workspace(64, 64);
-  for (int motion = 0; motion < 60; ++motion) {
+  const int motions = testing::sweep_size(60);
+  for (int motion = 0; motion < motions; ++motion) {
     SCOPED_TRACE(motion);
     IntersectionCase pair = GetParam().pair;
     const Pose X = motion == 0 ? Pose{} : testing::random_pose(random, 2.0);
