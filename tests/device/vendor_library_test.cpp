@@ -2,6 +2,7 @@
 #include <tegotae/device/interface_driver.hpp>
 #include <tegotae/device/vendor_library.hpp>
 
+#include <tests/device/refusal.hpp>
 #include <tests/lab/temporary_folder.hpp>
 
 #include <gmock/gmock.h>
@@ -14,22 +15,12 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using testing::refusal;
 
 constexpr const char* kFolderVariable = "TEGOTAE_TEST_VENDOR_FOLDER";
 
 VendorLibraryNames names_of(std::vector<std::string> files) {
   return {"some-arm", "the Some SDK", std::move(files), kFolderVariable, "Install it."};
-}
-
-// What `action` throws as an InterfaceError.
-template <class Action>
-std::string refusal(const Action& action) {
-  try {
-    action();
-  } catch (const InterfaceError& error) {
-    return error.what();
-  }
-  return "nothing was refused";
 }
 
 TEST(VendorLibrary, TakesTheFirstNameThatTheLoaderFinds) {

@@ -61,9 +61,10 @@ struct DoubleState {
   std::array<std::atomic<double>, 6> commanded{};  ///< last one received, before the motors' limits
   std::atomic<double> gripper_force{0.0};          ///< N, commanded last
   std::atomic<bool> forces_on{false}, gravity_compensated{false}, powered{false};
-  std::atomic<double> effector_mass{-1.0};  ///< kg; -1: nobody set it
-  std::atomic<std::int64_t> stepped_at{0};  ///< ns, up to where the mechanics are integrated
-  std::atomic<int> plugged_in{0};           ///< unplugged_times when it was opened last
+  std::atomic<double> effector_mass{-1.0};                    ///< kg; -1: nobody set it
+  std::atomic<double> limit_force{-1.0}, limit_torque{-1.0};  ///< N, N m, that the library was told; -1: nobody did
+  std::atomic<std::int64_t> stepped_at{0};                    ///< ns, up to where the mechanics are integrated
+  std::atomic<int> plugged_in{0};                             ///< unplugged_times when it was opened last
 
   // What was done to it.
   std::atomic<int> opener{0};  ///< process that has it open; stays when that process dies

@@ -122,6 +122,19 @@ TEGOTAE_EXPORT int dhdSetEffectorMass(double mass, char id) {
   return 0;
 }
 
+TEGOTAE_EXPORT int dhdSetMaxForce(double newtons, char id) {
+  DoubleState* state = device().state();
+  if (!is_mine(id) || state == nullptr || !device().is_open()) return failed(kNone);
+  state->limit_force.store(newtons);
+  return 0;
+}
+TEGOTAE_EXPORT int dhdSetMaxTorque(double newton_metres, char id) {
+  DoubleState* state = device().state();
+  if (!is_mine(id) || state == nullptr || !device().is_open()) return failed(kNone);
+  state->limit_torque.store(newton_metres);
+  return 0;
+}
+
 TEGOTAE_EXPORT int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double frame[3][3], char id) {
   DoubleReading reading;
   const int result = read(id, reading);
