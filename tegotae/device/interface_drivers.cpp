@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/force_dimension.hpp>
 #include <tegotae/device/interface_drivers.hpp>
 #include <tegotae/device/spidar_driver.hpp>
+#include <tegotae/device/virtuose.hpp>
 
 #include <fmt/format.h>
 
@@ -9,7 +11,8 @@
 namespace tegotae {
 
 std::span<const InterfaceDriver* const> interface_drivers() {
-  static const std::array<const InterfaceDriver*, 1> drivers = {&spidar_driver()};
+  static const std::array<const InterfaceDriver*, 3> drivers = {&force_dimension_driver(), &virtuose_driver(),
+                                                                &spidar_driver()};
   return drivers;
 }
 
