@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace tegotae {
@@ -22,6 +23,7 @@ struct ExperimentOptions {
   std::string folder, recording;
   bool list = false;
   bool real_time = false;
+  std::string interface, hand = "moderate";
   SettingsOptions settings;
 };
 
@@ -32,6 +34,15 @@ void print_list() {
 const Experiment& chosen_experiment(const std::string& name) {
   try {
     return find_experiment(name);
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+std::optional<InterfaceRequest> chosen_interface(const ExperimentOptions& options) {
+  if (options.interface.empty()) return std::nullopt;
+  try {
+    return interface_request(options.interface, options.hand);
   } catch (const InputError& error) {
     throw UsageError(error.what());
   }
@@ -63,6 +74,7 @@ void run(const ExperimentOptions& options) {
 
   request.recording = options.recording;
   request.real_time = options.real_time;
+  request.interface = chosen_interface(options);
   request.stop = &interrupted();
   listen_for_interruption();
 
@@ -94,6 +106,17 @@ void add_experiment_command(CLI::App& program) {
   command->add_option("--record", options->recording, "Recording (MCAP) to write of the first variant")
       ->type_name("FILE")
       ->check(not_empty("a file"));
+  command
+      ->add_option(
+          "--interface", options->interface,
+          "Simulated interface that displays the wrench to a simulated hand, which means the tool to follow the "
+          "motion: " +
+              simulated_interface_names() + "; default: none, the motion is played exactly")
+      ->type_name("NAME")
+      ->check(not_empty("an interface"));
+  command->add_option("--hand", options->hand, "Hand that holds the simulated interface: relaxed, moderate or firm")
+      ->type_name("NAME")
+      ->capture_default_str();
   options->settings.add_method(*command);
   command->callback([options] { run(*options); });
 }

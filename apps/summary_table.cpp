@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <apps/summary_table.hpp>
+#include <tegotae/runtime/safety.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <set>
 
 namespace tegotae {
@@ -60,6 +62,23 @@ std::string real_time_lines(const RealtimeReport& report) {
   return text;
 }
 
+// What the interface made of what it was commanded, and what the safety stage kept from it.
+std::string display_lines(const DisplaySummary& display, const RunSummary& summary) {
+  const DisplayErrors& errors = display.reachable;
+  return fmt::format(
+      "  displayed less commanded: {:.3g} mN RMS, {:.3g} mN at most; {:.3g} and {:.3g} mN m; the motors fell short in "
+      "{} "
+      "of {} ticks\n"
+      "  commanded at most {:.3g} N and {:.3g} N m; force saturated in {} ticks, torque in {}; the tool at most {:.1f} "
+      "mm "
+      "and {:.1f} degrees from where the hand meant it\n",
+      1e3 * errors.force_rms, 1e3 * errors.force_max, 1e3 * errors.torque_rms, 1e3 * errors.torque_max,
+      display.shortfalls, display.all.ticks, display.greatest_force, display.greatest_torque,
+      summary.safety_events.at(name_of(SafetyEvent::kForceSaturated)),
+      summary.safety_events.at(name_of(SafetyEvent::kTorqueSaturated)), 1e3 * display.hand_way,
+      display.hand_angle * 180.0 / std::numbers::pi);
+}
+
 // What the system refused to the threads, each sentence once.
 std::string rights_lines(const ExperimentResult& result) {
   std::set<std::string> sentences;
@@ -92,6 +111,7 @@ std::string summary_table(const ExperimentResult& result) {
     const bool in_real_time = variant.real_time.has_value();
     for (const PhaseSummary& phase : variant.summary.phases) text += row(phase, width, in_real_time);
     if (!variant.physics_rate_choice.empty()) fmt::format_to(out, "  {}\n", variant.physics_rate_choice);
+    if (variant.display) text += display_lines(*variant.display, variant.summary);
     if (variant.real_time) text += real_time_lines(*variant.real_time);
   }
   text += '\n' + rights_lines(result);

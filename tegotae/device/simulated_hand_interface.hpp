@@ -50,6 +50,7 @@ class SimulatedHandInterface : public HapticInterface {
   InterfaceStatus write(const InterfaceCommand& command) noexcept override;
 
   const GripState& grip() const noexcept { return grip_.state(); }  ///< the true one
+  const Pose& intended() const noexcept { return X_WH_; }           ///< where the hand means the grip to be now
   const SimulatedGrip& mechanics() const noexcept { return grip_; }
   const Wrench& displayed() const noexcept { return displayed_; }       ///< what the motors give now
   std::uint64_t dropped_commands() const noexcept { return dropped_; }  ///< written faster than 20 kHz

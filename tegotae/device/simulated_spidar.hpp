@@ -39,6 +39,7 @@ class SimulatedSpidar final : public SpidarTransport {
   bool write(const SpidarVector& tensions) noexcept override;
 
   const GripState& grip() const noexcept { return grip_.state(); }  ///< the true one, world axes
+  const Pose& intended() const noexcept { return X_WH_; }           ///< where the hand means the grip to be now
   void set_grip(const GripState& state) noexcept { grip_.set_state(state); }
   const SpidarVector& tensions() const noexcept { return tensions_; }  ///< what the motors pull now, N
   Wrench displayed() const noexcept;                                   ///< on the grip, about its origin, world axes

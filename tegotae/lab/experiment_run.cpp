@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/closed_loop_figures.hpp>
 #include <tegotae/lab/experiment_run.hpp>
 #include <tegotae/lab/physics_rate.hpp>
 #include <tegotae/lab/run_recording.hpp>
@@ -41,7 +42,9 @@ void remove_earlier_results(const Experiment& experiment, const std::filesystem:
   for (size_t i = 0; i < experiment.variants.size(); ++i) {
     std::filesystem::remove(samples_file_of(folder, experiment.variants[i], i == 0), ignored);
   }
-  for (const Figure& figure : experiment.figures) {
+  std::vector<Figure> figures = closed_loop_figures(experiment, "");
+  figures.insert(figures.end(), experiment.figures.begin(), experiment.figures.end());
+  for (const Figure& figure : figures) {
     for (const char* ending : {".svg", ".png", ".gnuplot", ".dat"}) {
       std::filesystem::remove(folder / "figures" / (figure.name + ending), ignored);
     }
@@ -67,6 +70,27 @@ SettingsRequest with_measured_rate(SettingsRequest wanted, const MujocoWorld& wo
   return wanted;
 }
 
+// The exact playback of a motion, in simulated time.
+std::vector<TickRecord> played(const Experiment& experiment, const SessionSettings& settings, const Trajectory& motion,
+                               const ExperimentRequest& request) {
+  Session session(load_mujoco_world(find_scene(experiment.scene), experiment.tool), motion, settings);
+  std::vector<TickRecord> records;
+  session.run_simulated(
+      [&](const TickRecord& record) {
+        records.push_back(record);
+        return !is_stopped(request);
+      },
+      [](double) {});
+  return records;
+}
+
+ExperimentInterface interface_of(const Experiment& experiment, const SessionSettings& settings,
+                                 const Trajectory& motion, const Tool& tool, const ExperimentRequest& request) {
+  if (!request.interface) return {};
+  const Vector3 up_W = settings.gravity.norm() > 0.0 ? Vector3(-settings.gravity.normalized()) : Vector3::UnitZ();
+  return interface_for(*request.interface, motion, up_W, played(experiment, settings, motion, request), tool);
+}
+
 VariantResult run_variant(const Experiment& experiment, const Variant& variant, const ExperimentRequest& request,
                           std::filesystem::path samples_file, const std::filesystem::path& recording_file,
                           std::vector<std::string>& warnings, const Progress& progress) {
@@ -80,12 +104,21 @@ VariantResult run_variant(const Experiment& experiment, const Variant& variant, 
                                .or_else(settings_of(world->haptic_settings(), scene));
   if (request.real_time && !wanted.physics_rate)
     wanted = with_measured_rate(wanted, *world, result.physics_rate_choice);
-  const SessionSettings settings = result.settings = decide_settings(wanted, tool);
+  SessionSettings settings = decide_settings(wanted, tool);
+  settings.gravity = world->gravity();
+  if (request.interface) {
+    std::string warning;
+    settings = held_in_hand(settings, *request.interface, warning);
+    if (!warning.empty()) add_once(warnings, fmt::format("{}: {}", variant.name, warning));
+  }
+  result.settings = settings;
   Trajectory motion = experiment.motion(tool);
-  Session session(std::move(world), std::move(motion), settings);
+  ExperimentInterface interface = interface_of(experiment, settings, motion, tool, request);
+  Session session(std::move(world), std::move(motion), settings, std::move(interface.interface));
 
-  const std::vector<std::string> notes = notes_of(experiment, result, session);
-  SamplesFile samples(result.samples_file, notes, session.start());
+  std::vector<std::string> notes = notes_of(experiment, result, session);
+  notes.insert(notes.end(), interface.notes.begin(), interface.notes.end());
+  SamplesFile samples(result.samples_file, notes, session.start(), session.sample_kind());
   std::optional<RunRecording> recording;
   if (!recording_file.empty()) {
     session.watch();
@@ -108,7 +141,14 @@ VariantResult run_variant(const Experiment& experiment, const Variant& variant, 
   add_once(warnings, session.trouble());
   if (result.real_time) add_once(warnings, result.real_time->physics_error);
   result.summary = summarise(experiment, result.records, settings.haptic_rate);
+  if (session.is_closed_loop()) result.display = display_summary(result.records);
   return result;
+}
+
+// Variants may be held to the interface's rating, so that titles that name a setting need a grain of salt.
+void describe_on(const std::string& interface, Experiment& experiment) {
+  for (Figure& figure : experiment.figures) figure.title += fmt::format(" (on {}, as far as it is rated)", interface);
+  for (Figure& figure : closed_loop_figures(experiment, interface)) experiment.figures.push_back(std::move(figure));
 }
 
 }  // namespace
@@ -120,6 +160,8 @@ ExperimentResult run_experiment(const Experiment& chosen, const ExperimentReques
   ExperimentResult result;
   const std::string method = request.settings.or_else(chosen.settings).method.value_or(SessionSettings{}.method);
   result.experiment = described_for(chosen, method);
+  result.interface = request.interface;
+  if (request.interface) describe_on(request.interface->choice.name, result.experiment);
   const Experiment& experiment = result.experiment;
   const auto count = static_cast<double>(experiment.variants.size());
   for (const Variant& variant : experiment.variants) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/recording_file.hpp>
-#include <tegotae/lab/samples_file.hpp>
 #include <tegotae/stream/json_text.hpp>
 #include <tegotae/stream/mcap_reader.hpp>
 
@@ -77,13 +76,14 @@ class CsvExport {
 
 }  // namespace
 
-RecordingFile::RecordingFile(const std::filesystem::path& file, const std::vector<std::string>& notes, double start)
-    : writer_(file.string(), "tegotae " TEGOTAE_VERSION), columns_(sample_columns(start)) {
+RecordingFile::RecordingFile(const std::filesystem::path& file, const std::vector<std::string>& notes, double start,
+                             SampleKind kind)
+    : writer_(file.string(), "tegotae " TEGOTAE_VERSION), columns_(sample_columns(start, kind)) {
   const int session = add(kSessionTopic, schema_of_session());
   scene_channel_ = add(kSceneTopic, schema_of_scene());
   settings_channel_ = add(kSettingsTopic, schema_of_settings());
   state_channel_ = add(kStateTopic, schema_of_state());
-  tick_channel_ = add(kTickTopic, schema_of_tick());
+  tick_channel_ = add(kTickTopic, schema_of_tick(kind));
   writer_.write(session, nanoseconds(start), Json{{"format", kRecordingFormat}, {"notes", notes}}.dump());
 }
 

@@ -23,7 +23,8 @@ namespace tegotae {
 class RecordingFile {
  public:
   /// Creates or replaces `file`. `notes`: lines that say what the run was. `start` (s): see `sample_columns`.
-  RecordingFile(const std::filesystem::path& file, const std::vector<std::string>& notes, double start);
+  RecordingFile(const std::filesystem::path& file, const std::vector<std::string>& notes, double start,
+                SampleKind kind = SampleKind::kPlayed);
 
   void write(const TickRecord& record);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/recording_schemas.hpp>
-#include <tegotae/lab/samples_file.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -101,9 +100,9 @@ std::string_view schema_of_scene() noexcept { return kScene; }
 std::string_view schema_of_settings() noexcept { return kSettings; }
 std::string_view schema_of_state() noexcept { return kState; }
 
-std::string schema_of_tick() {
+std::string schema_of_tick(SampleKind kind) {
   nlohmann::ordered_json properties;
-  for (const auto& column : sample_columns(0.0)) {
+  for (const auto& column : sample_columns(0.0, kind)) {
     properties[column.name] = {{"type", "number"}};
     if (!column.unit.empty()) properties[column.name]["description"] = "in " + column.unit;
   }

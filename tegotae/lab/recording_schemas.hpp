@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tegotae/lab/samples_file.hpp>
+
 #include <string>
 #include <string_view>
 
@@ -27,6 +29,6 @@ std::string_view schema_of_scene() noexcept;
 std::string_view schema_of_settings() noexcept;
 std::string_view schema_of_state() noexcept;
 /// Of ticks, whose members are the columns of a samples file.
-std::string schema_of_tick();
+std::string schema_of_tick(SampleKind kind = SampleKind::kPlayed);
 
 }  // namespace tegotae

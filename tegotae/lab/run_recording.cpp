@@ -14,7 +14,7 @@ constexpr std::uint64_t kHistogramEach = 30;  // states: twice a second
 
 std::string scene_of(const Session& session, const std::string& name) {
   SceneNames names = session_names(name, session.settings());
-  names.interface = "recorded motion";
+  names.interface = session.is_closed_loop() ? session.interface_name() : "recorded motion";
   return encode_scene(session.world().geometry(), names);
 }
 
@@ -22,7 +22,7 @@ std::string scene_of(const Session& session, const std::string& name) {
 
 RunRecording::RunRecording(const std::filesystem::path& file, Session& session, const std::vector<std::string>& notes,
                            const std::string& scene, std::string motion)
-    : file_(file, notes, session.start()),
+    : file_(file, notes, session.start(), session.sample_kind()),
       session_(session),
       frames_(session.settings(), session.tool().mass.centre_of_mass),
       motion_(std::move(motion)) {

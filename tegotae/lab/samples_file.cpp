@@ -17,7 +17,7 @@ constexpr const char* kMeanings[] = {
     "x to qz: pose of the tool's frame where the hand holds it, in the world",
     "fx to tz: the method's wrench on the interface before the safety stage, world axes",
     "tx to tz: torque about the tool's centre of mass",
-    "dfx to dtz: the displayed wrench, after the safety stage, same axes and point",
+    "dfx to dtz: the displayed wrench, after the safety stage, same axes and point: what an interface is commanded",
     "px to pqz: pose of the tool's frame where the world lets it be",
     "near_objects: bodies with a piece within reach; planes, contact_points: of the model",
     "constraints: contact points given to the solver; active: those of them that push",
@@ -28,6 +28,11 @@ constexpr const char* kMeanings[] = {
     "model_age: since the world state that the model was made from; model_sequence: number of the model",
     "dropped: planes and points beyond the model's capacity",
     "tick_us: wall-clock time of the tick; the one column that does not repeat",
+};
+constexpr const char* kMeaningsInClosedLoop[] = {
+    "ifx to itz: what the motors of the simulated interface really display, same axes and point",
+    "hx to hqz: pose of the tool's frame where the hand means to hold it",
+    "falls_short: 1 where the motors cannot display what is commanded",
 };
 
 // Adding zero turns a negative zero into zero.
@@ -64,14 +69,17 @@ void add_number(Columns& columns, const char* name, const char* unit, Number Tic
 // The sum of a start and whole periods, without the rounding of the sum.
 double to_nanoseconds(double time) { return std::round(time * 1e9) / 1e9 + 0.0; }
 
-std::vector<std::string> with_meanings(std::vector<std::string> notes) {
+std::vector<std::string> with_meanings(std::vector<std::string> notes, SampleKind kind) {
   notes.insert(notes.end(), std::begin(kMeanings), std::end(kMeanings));
+  if (kind == SampleKind::kClosedLoop) {
+    notes.insert(notes.end(), std::begin(kMeaningsInClosedLoop), std::end(kMeaningsInClosedLoop));
+  }
   return notes;
 }
 
 }  // namespace
 
-std::vector<CsvColumn<TickRecord>> sample_columns(double start) {
+std::vector<CsvColumn<TickRecord>> sample_columns(double start, SampleKind kind) {
   Columns columns;
   columns.push_back({"t", "s", [start](const TickRecord& r) { return to_nanoseconds(start + r.time); }});
   add_pose(columns, "", &TickRecord::X_WT);
@@ -90,12 +98,18 @@ std::vector<CsvColumn<TickRecord>> sample_columns(double start) {
   add_number(columns, "model_age", "s", &TickRecord::model_age);
   add_number(columns, "model_sequence", "", &TickRecord::model_sequence);
   add_number(columns, "dropped", "", &TickRecord::dropped);
+  if (kind == SampleKind::kClosedLoop) {
+    add_wrench(columns, "i", &TickRecord::interface_wrench);
+    add_pose(columns, "h", &TickRecord::X_WH);
+    add_number(columns, "falls_short", "", &TickRecord::falls_short);
+  }
   add_number(columns, "tick_us", "us", &TickRecord::tick_us);
   return columns;
 }
 
-SamplesFile::SamplesFile(const std::filesystem::path& file, std::vector<std::string> notes, double start)
-    : recorder_(file.string(), sample_columns(start), with_meanings(std::move(notes))) {
+SamplesFile::SamplesFile(const std::filesystem::path& file, std::vector<std::string> notes, double start,
+                         SampleKind kind)
+    : recorder_(file.string(), sample_columns(start, kind), with_meanings(std::move(notes), kind)) {
   check();
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace tegotae {
@@ -36,12 +37,13 @@ struct Session::Seen {
   std::vector<BodyState> states;
 };
 
-Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const SessionSettings& settings)
+Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const SessionSettings& settings,
+                 std::unique_ptr<ObservedInterface> interface)
     : world_(std::move(world)),
       settings_(in_world(settings, *world_)),
       start_(motion.start()),
       duration_(motion.end() - motion.start()),
-      interface_(std::move(motion)),
+      observed_(interface.get()),
       physics_(*world_, {1.0 / settings.physics_rate, settings.margin},
                needs_of(settings_.make_method(world_->geometry()))),
       seen_(std::make_unique<Seen>()) {
@@ -51,30 +53,46 @@ Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const Se
                     "is its time in seconds?",
                     duration_, duration_ * settings_.haptic_rate, settings_.haptic_rate, tolerance::kMaxTicks));
   }
+  truth_.time = -std::numeric_limits<double>::infinity();
+  interface_ = std::move(interface);
+  if (observed_ == nullptr) interface_ = std::make_unique<PlaybackInterface>(std::move(motion));
   haptics_ = std::make_unique<HapticTick>(settings_.make_method(world_->geometry()), tool(),
-                                          safety_limits_of(settings_, interface_.capability(), tool()),
+                                          safety_limits_of(settings_, interface_->capability(), tool()),
                                           1.0 / settings_.haptic_rate);
 }
 
 Session::~Session() = default;
 
-TickObserver Session::with_progress(const TickObserver& observer, const Progress& progress) const {
+TickObserver Session::with_progress(const TickObserver& observer, const Progress& progress) {
   constexpr long kTicksBetweenReports = 1000;
-  return [&observer, &progress, duration = duration_, ticks = 0L](const TickRecord& record) mutable {
-    if (++ticks % kTicksBetweenReports == 0) progress(record.time / duration);
-    return observer(record);
+  return [this, &observer, &progress, ticks = 0L](const TickRecord& record) mutable {
+    if (++ticks % kTicksBetweenReports == 0) progress(record.time / duration_);
+    if (observed_ == nullptr) return observer(record);
+    TickRecord whole = record;
+    add_truth(whole);
+    return observer(whole);
   };
+}
+
+// Of the same tick: in real time, ticks that nobody saw have truths all the same.
+void Session::add_truth(TickRecord& record) {
+  while (truth_.time < record.time && observed_->take(truth_)) {
+  }
+  const Vector3 arm = record.X_WT.pose().q * tool().mass.centre_of_mass;
+  record.interface_wrench = Wrench(truth_.displayed).shifted(-arm);
+  record.X_WH = truth_.X_WH;
+  record.falls_short = truth_.falls_short;
 }
 
 void Session::run_simulated(const TickObserver& observer, const Progress& progress) {
   link_.reset();
-  tegotae::run_simulated(physics_, *haptics_, interface_, 1.0 / settings_.haptic_rate, duration_,
+  tegotae::run_simulated(physics_, *haptics_, *interface_, 1.0 / settings_.haptic_rate, duration_,
                          with_progress(observer, progress));
 }
 
 RealtimeReport Session::run_realtime(const TickObserver& observer, const Progress& progress,
                                      const std::atomic<bool>& stop) {
-  return tegotae::run_realtime(physics_, *haptics_, interface_, 1.0 / settings_.haptic_rate, duration_, stop,
+  return tegotae::run_realtime(physics_, *haptics_, *interface_, 1.0 / settings_.haptic_rate, duration_, stop,
                                with_progress(observer, progress), link_.get());
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tegotae/device/observed_interface.hpp>
 #include <tegotae/device/playback_interface.hpp>
 #include <tegotae/lab/progress.hpp>
+#include <tegotae/lab/samples_file.hpp>
 #include <tegotae/lab/session_settings.hpp>
 #include <tegotae/runtime/live_link.hpp>
 #include <tegotae/runtime/realtime_session.hpp>
@@ -18,12 +20,14 @@
 
 namespace tegotae {
 
-/// A recorded motion rendered on a scene: world, both loops and a hand that plays the motion. Used for one run, as
-/// the run moves the world.
+/// A recorded motion rendered on a scene: world, both loops and a hand that plays the motion, or means to follow it on
+/// a simulated interface. Used for one run, as the run moves the world.
 class Session {
  public:
-  /// Throws InputError where the motion is too long for the haptic rate.
-  Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const SessionSettings& settings);
+  /// The hand plays the motion exactly, whatever is displayed; or, where there is an `interface` (null: none), for as
+  /// long as the motion lasts. Throws InputError where the motion is too long for the haptic rate.
+  Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const SessionSettings& settings,
+          std::unique_ptr<ObservedInterface> interface = nullptr);
   ~Session();
 
   /// In simulated time, on this thread, until the motion ends or the observer says so: every record but `tick_us`
@@ -51,18 +55,25 @@ class Session {
   const MujocoWorld& world() const noexcept { return *world_; }
   const Tool& tool() const { return world_->geometry().tool; }
   double start() const noexcept { return start_; }  ///< s, first time of the motion
+  /// On a simulated interface: records tell what it displays and what the hand means.
+  bool is_closed_loop() const noexcept { return observed_ != nullptr; }
+  SampleKind sample_kind() const noexcept { return is_closed_loop() ? SampleKind::kClosedLoop : SampleKind::kPlayed; }
+  std::string interface_name() const { return interface_->capability().name; }
 
   /// What identifies the session, a line each, for the head of files.
   std::vector<std::string> notes() const;
 
  private:
   struct Seen;
-  TickObserver with_progress(const TickObserver& observer, const Progress& progress) const;
+  TickObserver with_progress(const TickObserver& observer, const Progress& progress);
+  void add_truth(TickRecord& record);
 
   std::unique_ptr<MujocoWorld> world_;
   SessionSettings settings_;
   double start_, duration_;  ///< s
-  PlaybackInterface interface_;
+  std::unique_ptr<HapticInterface> interface_;
+  ObservedInterface* observed_;  ///< interface_, or null: playback
+  GripTruth truth_;              ///< the newest that was taken
   PhysicsLoop physics_;
   std::unique_ptr<HapticTick> haptics_;
   std::unique_ptr<LiveLink> link_;  ///< null: not watched, or in simulated time

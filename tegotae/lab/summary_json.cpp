@@ -88,19 +88,39 @@ Json timing_of(const VariantResult& result) {
   return timing;
 }
 
+Json json_of(const DisplayErrors& errors) {
+  return {{"ticks", errors.ticks},
+          {"force_rms_N", errors.force_rms},
+          {"force_max_N", errors.force_max},
+          {"torque_rms_N_m", errors.torque_rms},
+          {"torque_max_N_m", errors.torque_max}};
+}
+
+Json json_of(const DisplaySummary& display) {
+  return {{"displayed_less_commanded", json_of(display.all)},
+          {"displayed_less_commanded_where_reachable", json_of(display.reachable)},
+          {"shortfall_ticks", display.shortfalls},
+          {"greatest_commanded_force_N", display.greatest_force},
+          {"greatest_commanded_torque_N_m", display.greatest_torque},
+          {"greatest_way_from_hand_m", display.hand_way},
+          {"greatest_angle_from_hand_rad", display.hand_angle}};
+}
+
 Json json_of(const VariantResult& result) {
   Json phases = Json::array();
   for (const PhaseSummary& phase : result.summary.phases) phases.push_back(json_of(phase));
-  return {{"name", result.variant.name},
-          {"summary", result.variant.summary},
-          {"samples", result.samples_file.filename().string()},
-          {"settings", json_of(result.settings)},
-          {"phases", phases},
-          {"statuses", result.summary.statuses},
-          {"safety_events", result.summary.safety_events},
-          {"dropped_planes_and_points", result.summary.dropped},
-          {"model_age_ms", json_of(result.summary.haptics.staleness, kMillisecond)},
-          {"timing", timing_of(result)}};
+  Json variant = {{"name", result.variant.name},
+                  {"summary", result.variant.summary},
+                  {"samples", result.samples_file.filename().string()},
+                  {"settings", json_of(result.settings)},
+                  {"phases", phases},
+                  {"statuses", result.summary.statuses},
+                  {"safety_events", result.summary.safety_events},
+                  {"dropped_planes_and_points", result.summary.dropped},
+                  {"model_age_ms", json_of(result.summary.haptics.staleness, kMillisecond)},
+                  {"timing", timing_of(result)}};
+  if (result.display) variant["display"] = json_of(*result.display);
+  return variant;
 }
 
 }  // namespace
@@ -109,15 +129,18 @@ std::string summary_json(const ExperimentResult& result) {
   const Experiment& experiment = result.experiment;
   Json variants = Json::array();
   for (const VariantResult& variant : result.variants) variants.push_back(json_of(variant));
-  const Json summary = {{"format", kSummaryVersion},
-                        {"experiment", experiment.name},
-                        {"summary", experiment.summary},
-                        {"notes", experiment.notes},
-                        {"reported_force_axis", experiment.force_axis.name},
-                        {"reported_torque_axis", experiment.torque_axis.name},
-                        {"warnings", result.warnings},
-                        {"interrupted", result.interrupted},
-                        {"variants", variants}};
+  Json summary = {{"format", kSummaryVersion},
+                  {"experiment", experiment.name},
+                  {"summary", experiment.summary},
+                  {"notes", experiment.notes},
+                  {"reported_force_axis", experiment.force_axis.name},
+                  {"reported_torque_axis", experiment.torque_axis.name},
+                  {"warnings", result.warnings},
+                  {"interrupted", result.interrupted},
+                  {"variants", variants}};
+  if (result.interface) {
+    summary["interface"] = {{"name", result.interface->choice.name}, {"hand", result.interface->hand_name}};
+  }
   return summary.dump(2) + "\n";
 }
 

@@ -27,6 +27,12 @@ struct TickRecord {
   std::int32_t dropped = 0;  ///< planes, points and pairs beyond a capacity or the tick's budget
   std::uint8_t status = 0;   ///< RenderStatus
   std::uint32_t safety_events = 0;
+
+  // Of a simulated interface in closed loop (lab/session.hpp); else as they stand here.
+  PlainWrench interface_wrench;  ///< what its motors really display, same point and axes
+  PlainPose X_WH;                ///< where the hand means the tool's frame to be
+  bool falls_short = false;      ///< the motors cannot give what was commanded
+
   double tick_us = 0.0;  ///< wall-clock time of the tick, microseconds; the one value that does not repeat
 };
 static_assert(std::is_trivially_copyable_v<TickRecord>);
