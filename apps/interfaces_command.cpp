@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <apps/commands.hpp>
+#include <apps/validators.hpp>
 #include <tegotae/device/interface_drivers.hpp>
+#include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/interface_choice.hpp>
+#include <tegotae/lab/spidar_workspace.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
+#include <filesystem>
 #include <memory>
+#include <numbers>
 #include <string>
 
 namespace tegotae {
@@ -34,20 +41,65 @@ void list(const std::string& name) {
   for (const InterfaceDriver* driver : interface_drivers()) print_driver(*driver);
 }
 
+struct InterfacesOptions {
+  std::string name, folder;
+  bool workspace = false;
+};
+
+SpidarGeometry chosen_spidar(const InterfaceName& name) {
+  if (name.driver != "spidar-g6") {
+    throw UsageError(fmt::format(
+        "--workspace draws what the strings of a SPIDAR reach: give spidar-g6, spidar-g6:PRESET or spidar-g6:FILE{}.",
+        name.driver.empty() ? "" : fmt::format(", not '{}'", name.driver)));
+  }
+  const std::string_view options =
+      is_simulated(name) ? std::string_view(name.options).substr(0, name.options.rfind(',')) : name.options;
+  return spidar_geometry_of(options.empty() ? "x3r" : options);
+}
+
+void print_workspace(const InterfacesOptions& options) {
+  const SpidarGeometry geometry = chosen_spidar(parse_interface_name(options.name));
+  std::filesystem::path folder = options.folder;
+  if (folder.empty()) folder = std::filesystem::path("out") / "workspace" / geometry.name;
+  const SpidarWorkspace workspace = spidar_workspace(geometry);
+  draw_spidar_workspace(geometry, folder);
+  fmt::print("spidar-g6:{}: in the middle of the frame {:.1f} N and {:.3f} N m in every direction\n", geometry.name,
+             workspace.at_centre.force, workspace.at_centre.torque);
+  constexpr std::array<const char*, 3> kNames = {"x, to the right", "y, away", "z, up"};
+  for (size_t i = 0; i < kNames.size(); ++i) {
+    const auto &way = workspace.way[i], &angle = workspace.angle[i];
+    fmt::print("  {:<16} held from {:.1f} to {:.1f} mm, and turned about it from {:.1f} to {:.1f} degrees\n", kNames[i],
+               -1e3 * way.backward, 1e3 * way.forward, -angle.backward * 180.0 / std::numbers::pi,
+               angle.forward * 180.0 / std::numbers::pi);
+  }
+  fmt::print("figures: {}\n", folder.string());
+}
+
+void run(const InterfacesOptions& options) {
+  try {
+    if (options.workspace) {
+      print_workspace(options);
+    } else {
+      list(options.name);
+    }
+  } catch (const InterfaceError& error) {
+    throw UsageError(error.what());
+  }
+}
+
 }  // namespace
 
 void add_interfaces_command(CLI::App& program) {
-  auto name = std::make_shared<std::string>();
+  auto options = std::make_shared<InterfacesOptions>();
   CLI::App* const command = program.add_subcommand(
       "interfaces", "List the interfaces that there are drivers for, and what of them is present.");
-  command->add_option("DRIVER", *name, "Only this one");
-  command->callback([name] {
-    try {
-      list(*name);
-    } catch (const InterfaceError& error) {
-      throw UsageError(error.what());
-    }
-  });
+  command->add_option("DRIVER", options->name, "Only this one");
+  command->add_flag("--workspace", options->workspace,
+                    "Of spidar-g6, spidar-g6:PRESET or spidar-g6:FILE (default: x3r): draw what its strings reach");
+  command->add_option("--out", options->folder, "Folder for what --workspace draws; default: out/workspace/NAME")
+      ->type_name("DIR")
+      ->check(not_empty("a folder"));
+  command->callback([options] { run(*options); });
 }
 
 }  // namespace tegotae

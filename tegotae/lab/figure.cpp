@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/lab/child_process.hpp>
 #include <tegotae/lab/figure.hpp>
-#include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/gnuplot.hpp>
 #include <tegotae/lab/text_file.hpp>
 #include <tegotae/lab/thinning.hpp>
 
@@ -94,16 +93,9 @@ std::string script_of(const Figure& figure) {
   }
   drawing += "unset multiplot\nunset xlabel\n";
 
-  std::string script = "# Draws this figure again: gnuplot " + figure.name +
-                       ".gnuplot\nset grid\nset key outside top center horizontal\n" +
-                       "set lmargin 11\nset encoding utf8\n";
-  if (figure.x_descends) script += "set xrange [*:*] reverse\n";
-  script += fmt::format("set terminal svg size {},{} font 'sans,13' background rgb 'white'\nset output '{}.svg'\n",
-                        kWidth, height, figure.name);
-  script += drawing;
-  script += fmt::format("set terminal pngcairo size {},{} font 'sans,10' background rgb 'white'\nset output '{}.png'\n",
-                        kWidth, height, figure.name);
-  return script + drawing + "set output\n";
+  std::string settings = "set grid\nset key outside top center horizontal\nset lmargin 11\n";
+  if (figure.x_descends) settings += "set xrange [*:*] reverse\n";
+  return gnuplot_script(figure.name, settings, drawing, kWidth, height);
 }
 
 }  // namespace
@@ -112,14 +104,7 @@ void draw(const Figure& figure, std::span<const RunSamples> runs, const std::fil
   make_folder(folder);
   write_text(folder / (figure.name + ".dat"), data_of(figure, runs));
   write_text(folder / (figure.name + ".gnuplot"), script_of(figure));
-  const ChildResult result = run_child({"gnuplot", figure.name + ".gnuplot"}, folder);
-  if (result.not_found) {
-    throw InputError("the figures cannot be drawn, as gnuplot is not there; install it (Debian: gnuplot-nox).");
-  }
-  if (result.exit_code != 0) {
-    throw InputError(fmt::format("{}: gnuplot failed with exit code {}; run 'gnuplot {}.gnuplot' there to see why.",
-                                 folder.string(), result.exit_code, figure.name));
-  }
+  run_gnuplot(figure.name, folder);
 }
 
 }  // namespace tegotae

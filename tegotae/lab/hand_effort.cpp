@@ -10,7 +10,7 @@
 namespace tegotae {
 namespace {
 
-constexpr double kHalfWindow = 0.05;  // s
+constexpr double kHalfWindow = 0.05 + 1e-9;  // s; times are sums of periods, rounded
 
 Wrench about_grip(const TickRecord& record, const Tool& tool) {
   return Wrench(record.wrench).shifted(record.X_WT.pose().q * tool.mass.centre_of_mass);
