@@ -51,4 +51,11 @@ inline constexpr double kSpidarMisfit = 1e-3;
 inline constexpr double kSpidarLeastForce = 0.04;
 inline constexpr double kSpidarLeastTorque = 1e-3;
 
+/// Of an HD transform's columns, lengths and angles (1 and radians), and of its last row: ten times what numbers of
+/// single precision from a chain of six joints leave, a hundredth of what another layout would.
+inline constexpr double kRigidTransform = 1e-3;
+
+/// m. No grip of such a device is farther from its base: in another unit it would be.
+inline constexpr double kGreatestReach = 2.0;
+
 }  // namespace tegotae::tolerance

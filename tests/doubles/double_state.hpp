@@ -16,6 +16,17 @@ struct DoubleCommand {
   std::array<std::atomic<double>, 3> force{}, torque{};  ///< N, N m
 };
 
+/// A fact about the HD API that is otherwise than it is known to the driver.
+enum class HdOddity : int {
+  kNone,
+  kTransformByRows,
+  kMicrometres,
+  kNoCartesianTorque,
+  kManyDegrees,
+  kResetStyle,   ///< calibrated at a position in which the device must be held
+  kNoCallbacks,  ///< the scheduler runs and calls nobody
+};
+
 /// What stands behind a maker's test library: one simulated device on its cable. It lies in a file that the test, the
 /// library in the test's process and the library in any other process have mapped, so each sees what the others did
 /// even when one of them was killed. Everything is atomic, in SI units and in the maker's own axes.
@@ -35,6 +46,9 @@ struct DoubleState {
   std::atomic<int> command_timeout{0};  ///< ms without a command after which the firmware drops the force; 0: never
   std::atomic<int> library_major{0}, library_minor{0};  ///< what the library calls itself; 0: as it is
   std::atomic<int> first_button{0}, button_count{2};    ///< number of the first one, where the maker's are numbered
+  std::atomic<double> servo_rate{1000.0};               ///< Hz, of a library that has a scheduler of its own
+  std::atomic<double> nominal_stiffness{400.0};         ///< N/m, as the library tells it
+  std::atomic<HdOddity> oddity{HdOddity::kNone};
 
   // What the test does to it while it runs.
   std::array<std::atomic<double>, 7> hand{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};  ///< where the hand means to be
