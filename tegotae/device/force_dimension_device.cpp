@@ -153,7 +153,9 @@ void ForceDimensionDevice::prepare() const {
 DeviceAnswer ForceDimensionDevice::read(double time, InterfaceState& state) noexcept {
   Vector3 p_DG;
   double frame[3][3];
-  if (library_.pose(&p_DG.x(), &p_DG.y(), &p_DG.z(), frame, id_) < 0) {
+  const int result = has_wrist_ ? library_.pose(&p_DG.x(), &p_DG.y(), &p_DG.z(), frame, id_)
+                                : library_.position(&p_DG.x(), &p_DG.y(), &p_DG.z(), id_);
+  if (result < 0) {
     history_.clear();
     return DeviceAnswer::kFailed;
   }

@@ -51,6 +51,7 @@ ForceDimensionLibrary::ForceDimensionLibrary(const VendorLibrary& library) {
   require(library, "dhdSetEffectorMass", set_effector_mass);
   look_for(library, "dhdSetMaxForce", set_max_force);
   look_for(library, "dhdSetMaxTorque", set_max_torque);
+  require(library, "dhdGetPosition", position);
   require(library, "dhdGetPositionAndOrientationFrame", pose);
   require(library, "dhdGetLinearVelocity", linear_velocity);
   require(library, "dhdGetAngularVelocityRad", angular_velocity);

@@ -48,6 +48,7 @@ struct ForceDimensionLibrary {
   int (*set_effector_mass)(double kg, char) = nullptr;
   int (*set_max_force)(double newtons, char) = nullptr;         ///< null before 3.8 or so
   int (*set_max_torque)(double newton_metres, char) = nullptr;  ///< the same
+  int (*position)(double* x, double* y, double* z, char) = nullptr;
   int (*pose)(double* x, double* y, double* z, double frame[3][3], char) = nullptr;
   int (*linear_velocity)(double* x, double* y, double* z, char) = nullptr;
   int (*angular_velocity)(double* x, double* y, double* z, char) = nullptr;

@@ -72,7 +72,7 @@ std::optional<double> InterfaceOptions::number(const std::string& name, double l
 
 void InterfaceOptions::refuse_others() const {
   std::string known;
-  for (const std::string& name : asked_for_) known += (known.empty() ? "" : ", ") + name;
+  for (const std::string& name : asked_for_) known.append(known.empty() ? "" : ", ").append(name);
   for (const auto& [name, value] : named_) {
     if (asked_for_.count(name) == 0) {
       throw InterfaceError(driver_ + ": there is no option '" + name + "'; there are: " + known + ".");

@@ -135,14 +135,23 @@ TEGOTAE_EXPORT int dhdSetMaxTorque(double newton_metres, char id) {
   return 0;
 }
 
-TEGOTAE_EXPORT int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double frame[3][3], char id) {
+TEGOTAE_EXPORT int dhdGetPosition(double* x, double* y, double* z, char id) {
   DoubleReading reading;
   const int result = read(id, reading);
   if (result < 0) return result;
   *x = reading.X.p.x();
   *y = reading.X.p.y();
   *z = reading.X.p.z();
-  const Matrix3 rotation = dhdHasWrist(id) ? reading.X.rotation() : Matrix3(Matrix3::Identity());
+  return result;
+}
+TEGOTAE_EXPORT int dhdGetPositionAndOrientationFrame(double* x, double* y, double* z, double frame[3][3], char id) {
+  DoubleReading reading;
+  const int result = dhdHasWrist(id) ? read(id, reading) : failed("not available on this device");
+  if (result < 0) return result;
+  *x = reading.X.p.x();
+  *y = reading.X.p.y();
+  *z = reading.X.p.z();
+  const Matrix3 rotation = reading.X.rotation();
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) frame[row][column] = rotation(row, column);
   }

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drivers in the full loop: haptics at 1 kHz and physics, each on its thread, on the doubles of the makers' libraries.
+#include <tegotae/device/interface_drivers.hpp>
+#include <tegotae/runtime/realtime_session.hpp>
+#include <tegotae/runtime/safety_limits.hpp>
+
+#include <tests/doubles/double_state_file.hpp>
+#include <tests/free_body_world.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+
+namespace tegotae {
+namespace {
+
+using testing::DoubleStateFile;
+
+struct DriverCase {
+  const char* driver;
+  const char* options;
+  const char* model;  // what the double answers to
+};
+
+// A cube over a floor whose top is y = 0, held by a hand that means to be 10 mm in it.
+class DriverLoop : public ::testing::TestWithParam<DriverCase> {
+ protected:
+  static constexpr double kPeriod = 1e-3;       // s
+  static constexpr double kStiffness = 1000.0;  // N/m
+  static constexpr double kMetricLength = 0.1;  // m
+  static constexpr double kLongest = 60.0;      // s, for a machine as slow as may be
+
+  DriverLoop() {
+    device->max_force.store(12.0);
+    device->mass.store(0.5);
+    device->inertia.store(5e-3);
+    device->hand_stiffness.store(400.0);
+    device.place({{0.0, 0.102, 0.0}, Quaternion::Identity()});
+    device.move_hand({{0.0, 0.09, 0.0}, Quaternion::Identity()});
+  }
+  void SetUp() override {
+    ASSERT_THAT(driver.find().library, ::testing::StartsWith(TEGOTAE_DOUBLES)) << "this would drive a real device";
+    interface = driver.open(GetParam().options);
+    MethodSettings settings;
+    settings.stiffness = kStiffness;
+    settings.metric_length = kMetricLength;
+    limits = safety_limits(interface->capability(), kStiffness, kMetricLength, 0.01);
+    haptics = std::make_unique<HapticTick>(make_method("paper", settings, world.geometry()), world.geometry().tool,
+                                           limits, kPeriod);
+  }
+
+  RealtimeReport run(const RealtimeObserver& observer) {
+    return run_realtime(physics, *haptics, *interface, kPeriod, kLongest, stop, observer);
+  }
+  bool pushes() const { return device.displayed().force.y() > 0.5; }
+
+  const InterfaceDriver& driver = find_interface_driver(GetParam().driver);
+  DoubleStateFile device{GetParam().model};
+  testing::FreeBodyWorld world{testing::cube_over_floor()};
+  PhysicsLoop physics{world, {0.01, 0.005}, ModelNeeds{}};
+  SafetyLimits limits;
+  std::unique_ptr<HapticInterface> interface;
+  std::unique_ptr<HapticTick> haptics;
+  std::atomic<bool> stop{false};
+};
+
+TEST_P(DriverLoop, DisplaysContactIsUnpluggedComesBackAndEndsAtZero) {
+  enum { kFirst, kGone, kBack, kDone } phase = kFirst;
+  double strongest_while_gone = 0.0;
+  const RealtimeReport report = run([&](const TickRecord&) {
+    if (phase == kFirst && pushes()) {
+      device.unplug();
+      phase = kGone;
+    } else if (phase == kGone) {
+      strongest_while_gone = std::max(strongest_while_gone, device.displayed().force.norm());
+      if (device->refused_opens.load() > 0) {
+        device.plug_in();
+        phase = kBack;
+      }
+    } else if (phase == kBack && pushes()) {
+      phase = kDone;
+    }
+    return phase != kDone;
+  });
+  EXPECT_EQ(phase, kDone);
+  EXPECT_EQ(device->opens.load(), 2u);
+  EXPECT_EQ(strongest_while_gone, 0.0);
+  EXPECT_EQ(device.commanded().force.norm(), 0.0);
+  EXPECT_EQ(device.commanded().torque.norm(), 0.0);
+  EXPECT_EQ(device->bad_commands.load(), 0u);
+  // Rounding of single precision, in which some makers' libraries speak.
+  constexpr double kSlack = 1e-5;
+  EXPECT_LE(device->largest_force.load(), limits.max_force + kSlack);
+  EXPECT_LE(device->largest_torque.load(), limits.max_torque + kSlack);
+  EXPECT_LE(device->largest_force_growth.load(), limits.force_rate * kPeriod + kSlack);
+  EXPECT_LE(device->largest_torque_growth.load(), limits.torque_rate * kPeriod + kSlack);
+  EXPECT_GT(report.haptics.count(), 100u);
+}
+
+TEST_P(DriverLoop, CallsThatFailNowAndThenNeverStrikeTheHand) {
+  device->fail_every.store(97);
+  std::uint64_t ticks = 0;
+  run([&](const TickRecord&) { return ++ticks < 1500; });
+  EXPECT_GT(device->failed_calls.load(), 10u);
+  EXPECT_EQ(device->opens.load(), 1u);
+  EXPECT_LE(device->largest_force.load(), limits.max_force + 1e-5);
+  EXPECT_LE(device->largest_force_growth.load(), limits.force_rate * kPeriod + 1e-5);
+  // The last command may have been the one that fails: closing says zero again.
+  device->fail_every.store(0);
+  interface.reset();
+  EXPECT_EQ(device.commanded().force.norm(), 0.0);
+  EXPECT_FALSE(device->forces_on.load());
+}
+
+INSTANTIATE_TEST_SUITE_P(Drivers, DriverLoop,
+                         ::testing::Values(DriverCase{"force-dimension", "", "sigma.7"},
+                                           DriverCase{"virtuose", "arm", "arm"}),
+                         [](const auto& each) {
+                           std::string name = each.param.driver;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace tegotae
