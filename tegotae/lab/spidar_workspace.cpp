@@ -77,7 +77,7 @@ std::string position_table(const SpidarGeometry& geometry) {
 }
 
 std::string rotation_table(const SpidarGeometry& geometry) {
-  constexpr int kGreatest = 180;  // degrees
+  constexpr int kGreatest = 90;  // degrees; beyond, strings cross the grip
   std::string text = fmt::format(
       "# SPIDAR '{}': greatest force and torque in every direction, in the middle of the frame\n"
       "# nan: the strings do not hold the grip there\naxis,angle[deg],force[N],torque[N m]\n",
@@ -95,6 +95,22 @@ std::string rotation_table(const SpidarGeometry& geometry) {
   return text;
 }
 
+// What gnuplot reads best: the names in a comment, blanks between the values.
+std::string with_blanks(std::string csv) {
+  const size_t names = csv.find("\n", csv.rfind("#")) + 1;
+  csv.insert(names, "# ");
+  std::replace(csv.begin(), csv.end(), ',', ' ');
+  return csv;
+}
+
+void write_figure(const std::filesystem::path& folder, const std::string& name, const std::string& csv,
+                  const std::string& script) {
+  write_text(folder / (name + ".csv"), csv);
+  write_text(folder / (name + ".dat"), with_blanks(csv));
+  write_text(folder / (name + ".gnuplot"), script);
+  run_gnuplot(name, folder);
+}
+
 // One map: colours, lines of equal value, the motors, and the cube of 40 mm in which the accuracy of poses is stated.
 std::string map_commands(const Slice& slice, int index, int column, const Vector3& half, double step) {
   const double across = 1e3 * half[slice.across], up = 1e3 * half[slice.up];
@@ -102,11 +118,11 @@ std::string map_commands(const Slice& slice, int index, int column, const Vector
       fmt::format("index {} using (1e3*column({})):(1e3*column({})):{}", index, slice.across + 2, slice.up + 2, column);
   return fmt::format(
       "set contour base\nset cntrparam levels incremental {0:g},{0:g},100\nunset surface\nset table $lines\n"
-      "splot 'workspace-position.csv' {1}\nunset table\nset surface\nunset contour\n"
+      "splot 'workspace-position.dat' {1}\nunset table\nset surface\nunset contour\n"
       "set title \"{2}\"\nset xlabel \"{3} [mm]\"\nset ylabel \"{4} [mm]\"\n"
       "set xrange [{5:g}:{6:g}]\nset yrange [{7:g}:{8:g}]\n"
       "set object 1 rectangle from -20,-20 to 20,20 fillstyle empty border rgb '#ffffff' dt 3 front\n"
-      "plot 'workspace-position.csv' {1} with image notitle, $lines with lines lc rgb '#ffffff' lw 0.7 notitle, \\\n"
+      "plot 'workspace-position.dat' {1} with image notitle, $lines with lines lc rgb '#ffffff' lw 0.7 notitle, \\\n"
       "  $motors using 1:2 with points pt 7 ps 1 lc rgb '#202020' notitle\n",
       step, points, slice.title, kAxes[slice.across], kAxes[slice.up], -1.1 * across, 1.1 * across, -1.1 * up,
       1.1 * up);
@@ -131,13 +147,13 @@ double step_of_lines(double greatest) {
 }
 
 std::string position_script(const SpidarGeometry& geometry) {
-  constexpr int kWidth = 1200, kHeight = 900;
+  constexpr int kWidth = 1200, kHeight = 780;
   const SpidarReach reach = spidar_reach(geometry, {});
   const Vector3 half = half_frame(geometry);
   std::string drawing = fmt::format(
-      "set multiplot layout 2,3 title \"SPIDAR '{}': greatest force and torque that are reached in every direction, "
-      "grip "
-      "unrotated\" font ',15'\n",
+      "set multiplot layout 2,3 title \"SPIDAR '{}': greatest force and torque in every direction, grip unrotated\\n"
+      "{{/*0.75 dots: motors; dotted: within 20 mm; white: the strings do not hold the grip}}\" font ',15' \\\n"
+      "  margins 0.07,0.89,0.08,0.86 spacing 0.08,0.14\n",
       geometry.name);
   const struct {
     const char* label;
@@ -147,7 +163,8 @@ std::string position_script(const SpidarGeometry& geometry) {
   for (const auto& row : rows) {
     const double step = step_of_lines(row.greatest);
     drawing +=
-        fmt::format("set cblabel \"{}, lines each {:g}\"\nset cbrange [0:{:g}]\n", row.label, step, row.greatest);
+        fmt::format("set cblabel \"{}, a line each {:g}\"\nset cbrange [0:{:g}]\n", row.label, step, row.greatest);
+    drawing += fmt::format("set colorbox user origin 0.915,{} size 0.015,0.33\n", row.column == 5 ? 0.55 : 0.08);
     for (size_t i = 0; i < std::size(kSlices); ++i) {
       drawing += motors_of(geometry, kSlices[i]);
       drawing += map_commands(kSlices[i], static_cast<int>(i), row.column, half, step);
@@ -155,7 +172,7 @@ std::string position_script(const SpidarGeometry& geometry) {
   }
   drawing += "unset multiplot\n";
   const std::string settings =
-      "set datafile separator ','\nset datafile missing 'nan'\nset size ratio -1\nset tics out\nset view map\n"
+      "set size ratio -1\nset tics out\nset view map\n"
       "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n";
   return gnuplot_script("workspace-position", settings, drawing, kWidth, kHeight);
 }
@@ -163,9 +180,9 @@ std::string position_script(const SpidarGeometry& geometry) {
 std::string rotation_script(const SpidarGeometry& geometry) {
   constexpr int kWidth = 900, kHeight = 610;
   std::string drawing = fmt::format(
-      "set multiplot layout 2,1 title \"SPIDAR '{}': greatest force and torque that are reached in every direction, "
-      "grip "
-      "in the middle\" font ',14'\n",
+      "set multiplot layout 2,1 title \"SPIDAR '{}': greatest force and torque in every direction, grip in the "
+      "middle\" "
+      "font ',14'\n",
       geometry.name);
   const struct {
     const char* label;
@@ -176,15 +193,15 @@ std::string rotation_script(const SpidarGeometry& geometry) {
     if (row.column == 4) drawing += "set xlabel \"angle [deg]\"\n";
     drawing += "plot ";
     for (int axis = 0; axis < 3; ++axis) {
-      drawing += fmt::format("{}'workspace-rotation.csv' index {} using 2:{} with lines lw 2 lt {} title \"about {}\"",
-                             axis > 0 ? ", " : "", axis, row.column, axis + 1, kAxes[axis]);
+      drawing += fmt::format("{}'workspace-rotation.dat' index {} using 2:{} with lines lw {} lt {} title \"about {}\"",
+                             axis > 0 ? ", " : "", axis, row.column, axis == 0 ? 5 : 2, axis + 1, kAxes[axis]);
     }
     drawing += "\n";
   }
   drawing += "unset multiplot\nunset xlabel\n";
   const std::string settings =
-      "set datafile separator ','\nset datafile missing 'nan'\nset grid\nset key outside top center horizontal\n"
-      "set lmargin 11\nset xtics 30\nset xrange [-180:180]\nset yrange [0:*]\n";
+      "set grid\nset key outside top center horizontal\n"
+      "set lmargin 11\nset xtics 15\nset xrange [-90:90]\nset yrange [0:*]\n";
   return gnuplot_script("workspace-rotation", settings, drawing, kWidth, kHeight);
 }
 
@@ -218,12 +235,8 @@ SpidarWorkspace spidar_workspace(const SpidarGeometry& geometry) {
 void draw_spidar_workspace(const SpidarGeometry& geometry, const std::filesystem::path& folder) {
   check_force_closure(geometry);
   make_folder(folder);
-  write_text(folder / "workspace-position.csv", position_table(geometry));
-  write_text(folder / "workspace-position.gnuplot", position_script(geometry));
-  run_gnuplot("workspace-position", folder);
-  write_text(folder / "workspace-rotation.csv", rotation_table(geometry));
-  write_text(folder / "workspace-rotation.gnuplot", rotation_script(geometry));
-  run_gnuplot("workspace-rotation", folder);
+  write_figure(folder, "workspace-position", position_table(geometry), position_script(geometry));
+  write_figure(folder, "workspace-rotation", rotation_table(geometry), rotation_script(geometry));
 }
 
 }  // namespace tegotae

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tests/lab/program_run.hpp>
+#include <tests/lab/samples_table.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace tegotae {
+namespace {
+
+using testing::HasSubstr;
+
+void expect_refusal(const std::vector<std::string>& arguments, int exit_code, const std::string& what) {
+  const ProgramResult result = run_program(arguments);
+  EXPECT_EQ(result.exit_code, exit_code) << result.err;
+  EXPECT_THAT(result.err, HasSubstr(what));
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+}
+
+TEST(ProgramInterface, AnExperimentRunsOnASimulatedSpidarAndRepeats) {
+  const TemporaryFolder folder;
+  for (const char* name : {"first", "second"}) {
+    const ProgramResult result =
+        run_program({"experiment", "paper-cube", "--method", "paper", "--interface", "spidar-g6:x3r,simulated",
+                     "--hand", "relaxed", "--out", (folder.path() / name).string()});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("displayed less commanded"));
+    EXPECT_THAT(result.out, HasSubstr("the motors fell short in 0 of 6001 ticks"));
+    EXPECT_THAT(result.err, HasSubstr("warning: one-metre: spidar-g6:x3r,simulated in a relaxed hand is rated for"));
+  }
+  for (const char* samples : {"samples.csv", "samples-gyration.csv"}) {
+    EXPECT_EQ(without_last_column(folder.path() / "first" / samples),
+              without_last_column(folder.path() / "second" / samples));
+  }
+  for (const char* name : {"displayed-force", "displayed-torque-gyration", "hand-and-tool", "figure-5"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "first" / "figures" / (name + std::string(".svg")))) << name;
+  }
+  // A later run without an interface leaves none of it.
+  ASSERT_EQ(run_program({"experiment", "paper-cube", "--out", (folder.path() / "first").string()}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "first" / "figures" / "displayed-force.svg"));
+  const SamplesTable table = read_samples(folder.path() / "first" / "samples.csv");
+  EXPECT_EQ(std::count(table.names.begin(), table.names.end(), "ifx"), 0);
+  const auto summary = nlohmann::json::parse(contents_of(folder.path() / "first" / "summary.json"));
+  EXPECT_FALSE(summary.contains("interface"));
+  EXPECT_FALSE(summary["variants"][0].contains("display"));
+}
+
+TEST(ProgramInterface, ItsRecordingExportsToTheSameSamples) {
+  const TemporaryFolder folder;
+  const std::string recording = (folder.path() / "run.mcap").string(), csv = (folder.path() / "run.csv").string();
+  ASSERT_EQ(run_program({"experiment", "wedge", "--interface", "simulated:parallel", "--record", recording, "--out",
+                         folder.path().string()})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_program({"export", recording, "--csv", csv}).exit_code, 0);
+  const SamplesTable samples = read_samples(folder.path() / "samples.csv"), exported = read_samples(csv);
+  EXPECT_EQ(samples.names, exported.names);
+  EXPECT_EQ(samples.rows, exported.rows);
+  EXPECT_GT(samples.column("hqz"), 0U);
+}
+
+TEST(ProgramInterface, WhatCannotBeIsAnsweredWithASentence) {
+  const TemporaryFolder folder;
+  const auto on = [](const std::string& interface) {
+    return std::vector<std::string>{"experiment", "paper-cube", "--interface", interface};
+  };
+  expect_refusal(on("spidar-g6:x3r"), 2, "no transport to a SPIDAR's board");
+  expect_refusal(on("spidar-g6:x3f,simulated"), 2, "x3f");
+  expect_refusal(on("spidar-g6:none,simulated"), 2, "neither a SPIDAR that has a name");
+  expect_refusal(on("simulated:none"), 2, "there are: simulated:laboratory");
+  expect_refusal(on("force-dimension:0"), 2, "is not simulated");
+  expect_refusal({"experiment", "paper-cube", "--interface", "simulated:page", "--hand", "none"}, 2, "relaxed");
+  expect_refusal(
+      {"experiment", "table-edge", "--interface", "spidar-g6:x3r,simulated", "--out", folder.path().string()}, 1,
+      "leaves the workspace");
+}
+
+TEST(ProgramInterface, DrawsTheWorkspaceOfASpidar) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      run_program({"interfaces", "spidar-g6:x4r", "--workspace", "--out", folder.path().string()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("spidar-g6:x4r: in the middle of the frame 22.5 N and 0.387 N m"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "workspace-position.png"));
+  expect_refusal({"interfaces", "virtuose", "--workspace"}, 2, "not 'virtuose'");
+  expect_refusal({"interfaces", "spidar-g6:x9", "--workspace"}, 1, "'x9' is neither");
+}
+
+}  // namespace
+}  // namespace tegotae
