@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -20,9 +21,11 @@ void add_lowered(std::string& text, const char* name, double wanted, double held
   text += fmt::format("{}{} {:g} {} instead of {:g}", text.empty() ? "" : ", ", name, held, unit, wanted);
 }
 
+// To a millionth, without negative zeros.
 std::string pose_text(const Pose& X) {
-  return fmt::format("{:.6g} {:.6g} {:.6g} m, quaternion {:.6g} {:.6g} {:.6g} {:.6g}", X.p.x(), X.p.y(), X.p.z(),
-                     X.q.w(), X.q.x(), X.q.y(), X.q.z());
+  const auto rounded = [](double value) { return std::round(value * 1e6) / 1e6 + 0.0; };
+  return fmt::format("{:g} {:g} {:g} m, quaternion {:g} {:g} {:g} {:g}", rounded(X.p.x()), rounded(X.p.y()),
+                     rounded(X.p.z()), rounded(X.q.w()), rounded(X.q.x()), rounded(X.q.y()), rounded(X.q.z()));
 }
 
 }  // namespace
