@@ -11,7 +11,7 @@ namespace tegotae {
 namespace {
 
 constexpr double kSpan = 0.2e-3;      // s over which the strings' directions and the hand's speed are held
-constexpr double kLongestRead = 1.0;  // s: more is a fault of the caller's clock
+constexpr double kLongestSpidarRead = 1.0;  // s: more is a fault of the caller's clock
 
 const SimulatedSpidarSettings& checked(const SimulatedSpidarSettings& settings) {
   check_numbers(settings.geometry);
@@ -36,7 +36,7 @@ bool SimulatedSpidar::reset() noexcept {
 }
 
 bool SimulatedSpidar::read(double time, SpidarVector& counts) noexcept {
-  if (!(time - time_ <= kLongestRead)) return false;
+  if (!(time - time_ <= kLongestSpidarRead)) return false;
   advance_to(time);
   if (!is_connected_) return false;
   const SpidarStrings strings = spidar_strings(settings_.geometry, settings_.X_WS.inverse() * grip_.state().X_WG);

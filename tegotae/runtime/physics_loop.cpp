@@ -19,7 +19,7 @@ double radius_of(const Tool& tool) {
   return radius;
 }
 
-void require_positive(const char* what, double value) {
+void require_positive_setting(const char* what, double value) {
   if (std::isfinite(value) && value > 0.0) return;
   throw std::invalid_argument("the " + std::string(what) + " must be positive, not " + std::to_string(value));
 }
@@ -68,8 +68,8 @@ PhysicsLoop::PhysicsLoop(World& world, const Settings& settings, const ModelNeed
 }
 
 void PhysicsLoop::change(const Settings& settings, const ModelNeeds& needs) {
-  require_positive("physics period (s)", settings.period);
-  require_positive("margin (m)", settings.margin);
+  require_positive_setting("physics period (s)", settings.period);
+  require_positive_setting("margin (m)", settings.margin);
   settings_ = settings;
   needs_ = needs;
 }
