@@ -2,6 +2,7 @@
 #include <tegotae/device/force_dimension.hpp>
 #include <tegotae/device/interface_drivers.hpp>
 #include <tegotae/device/openhaptics.hpp>
+#include <tegotae/device/spacenav.hpp>
 #include <tegotae/device/spidar_driver.hpp>
 #include <tegotae/device/virtuose.hpp>
 
@@ -12,8 +13,8 @@
 namespace tegotae {
 
 std::span<const InterfaceDriver* const> interface_drivers() {
-  static const std::array<const InterfaceDriver*, 4> drivers = {&force_dimension_driver(), &openhaptics_driver(),
-                                                                &virtuose_driver(), &spidar_driver()};
+  static const std::array<const InterfaceDriver*, 5> drivers = {
+      &force_dimension_driver(), &openhaptics_driver(), &virtuose_driver(), &spidar_driver(), &spacenav_driver()};
   return drivers;
 }
 

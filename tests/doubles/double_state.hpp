@@ -53,6 +53,7 @@ struct DoubleState {
   // What the test does to it while it runs.
   std::array<std::atomic<double>, 7> hand{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};  ///< where the hand means to be
   std::atomic<unsigned> buttons{0};                                            ///< a bit each
+  std::array<std::atomic<int>, 6> deflection{};                                ///< of a 3-D mouse: x y z, about x y z
   std::atomic<double> gripper{0.0}, gripper_angle{0.0};                        ///< m, rad
   std::atomic<std::int64_t> manual_time{-1};  ///< ns; not negative: the double's clock instead of the monotonic one
 
