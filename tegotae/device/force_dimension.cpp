@@ -10,7 +10,7 @@
 namespace tegotae {
 namespace {
 
-InterfacePresence find() {
+InterfacePresence find_force_dimension() {
   const VendorLibrary loaded = ForceDimensionLibrary::find();
   InterfacePresence found{loaded.file(), loaded.tried(), {}, loaded.trouble()};
   if (!loaded.is_loaded()) return found;
@@ -33,7 +33,7 @@ InterfacePresence find() {
   return found;
 }
 
-std::unique_ptr<HapticInterface> open(std::string_view text) {
+std::unique_ptr<HapticInterface> open_force_dimension(std::string_view text) {
   const ForceDimensionOptions options = ForceDimensionOptions::parse(text);
   const ForceDimensionLibrary library(ForceDimensionLibrary::find());
   auto device = std::make_unique<ForceDimensionDevice>(library, options, true);
@@ -43,7 +43,7 @@ std::unique_ptr<HapticInterface> open(std::string_view text) {
   });
 }
 
-bool silence(std::string_view text) noexcept {
+bool silence_force_dimension(std::string_view text) noexcept {
   try {
     return ForceDimensionDevice::silence(ForceDimensionLibrary(ForceDimensionLibrary::find()),
                                          ForceDimensionOptions::parse(text));
@@ -52,19 +52,19 @@ bool silence(std::string_view text) noexcept {
   }
 }
 
-constexpr InterfaceDriver kDriver = {
+constexpr InterfaceDriver kForceDimensionDriver = {
     "force-dimension",
     "omega, sigma, lambda, delta and Falcon through the Force Dimension SDK",
     "ID,axes=xyz,gravity-compensation=on|off,effector-mass=KG,auto-init=on|off",
     "the guard process opens the device and commands zero; whether the device lets go by itself when commands cease is "
     "not known here.",
-    find,
-    open,
-    silence,
+    find_force_dimension,
+    open_force_dimension,
+    silence_force_dimension,
 };
 
 }  // namespace
 
-const InterfaceDriver& force_dimension_driver() noexcept { return kDriver; }
+const InterfaceDriver& force_dimension_driver() noexcept { return kForceDimensionDriver; }
 
 }  // namespace tegotae

@@ -2,6 +2,7 @@
 #include <tegotae/device/force_dimension_device.hpp>
 #include <tegotae/device/interface_driver.hpp>
 #include <tegotae/device/interface_options.hpp>
+#include <tegotae/device/tolerances.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -12,7 +13,7 @@ namespace tegotae {
 namespace {
 
 // s, of the finite differences where the SDK gives no velocity.
-constexpr double kVelocityWindow = 0.01;
+constexpr double kDifferenceWindow = 0.01;
 
 struct Model {
   std::string_view name;
@@ -24,7 +25,7 @@ constexpr Model kModels[] = {
 };
 constexpr Model kUnknownModel = {"", 5.0, 0.1, 1000.0};
 
-[[noreturn]] void refuse(const std::string& text) { throw InterfaceError("force-dimension: " + text); }
+[[noreturn]] void refuse_force_dimension(const std::string& text) { throw InterfaceError("force-dimension: " + text); }
 
 // Handle of the device, below 0: none.
 int open_handle(const ForceDimensionLibrary& library, const std::optional<int>& id) noexcept {
@@ -37,6 +38,11 @@ int open_handle(const ForceDimensionLibrary& library, const std::optional<int>& 
 bool command_zero(const ForceDimensionLibrary& library, char id, bool has_active_wrist) noexcept {
   return (has_active_wrist ? library.set_wrench(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, id)
                            : library.set_force(0.0, 0.0, 0.0, 0.0, id)) >= 0;
+}
+
+bool is_rotation(const Matrix3& R) noexcept {
+  return (R * R.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff() <= tolerance::kRotationMatrix &&
+         R.determinant() > 0.0;
 }
 
 // Zero, forces off, closed: each whatever became of the one before. False where the zero was refused.
@@ -60,14 +66,14 @@ ForceDimensionOptions ForceDimensionOptions::parse(std::string_view text) {
   if (!given.value().empty()) {
     const std::string& id = given.value();
     if (id.size() > 2 || !std::all_of(id.begin(), id.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) {
-      refuse("'" + id + "' is no number of a device; the first is 0.");
+      refuse_force_dimension("'" + id + "' is no number of a device; the first is 0.");
     }
     options.id = std::stoi(id);
   }
   try {
     if (const auto axes = given.text("axes")) options.axes = AxisMap(*axes);
   } catch (const std::invalid_argument& error) {
-    refuse(error.what());
+    refuse_force_dimension(error.what());
   }
   options.gravity_compensation = given.text("gravity-compensation", "on|off").value_or("on") == "on";
   options.effector_mass = given.number("effector-mass", 0.0, 1.0);
@@ -100,7 +106,7 @@ ForceDimensionDevice::ForceDimensionDevice(const ForceDimensionLibrary& library,
   const int handle = open_handle(library_, options_.id);
   if (handle < 0) {
     const std::string which = options_.id ? "device " + std::to_string(*options_.id) : "a device";
-    refuse(
+    refuse_force_dimension(
         which + " cannot be opened (" + library_.error() +
         "): check its power and cable, that no other program has it, and your rights on USB devices of vendor 1451.");
   }
@@ -125,28 +131,30 @@ ForceDimensionDevice::~ForceDimensionDevice() { let_go(library_, id_, has_active
 void ForceDimensionDevice::calibrate(bool may_move) const {
   if (library_.drd_open == nullptr || library_.drd_is_initialized(id_)) return;
   if (!may_move || !options_.auto_init) {
-    refuse(
+    refuse_force_dimension(
         "the device is not calibrated and may not move by itself: move it to its stops by hand until its light says "
         "that it is.");
   }
   if (library_.drd_auto_init(id_) < 0) {
-    refuse("the device cannot calibrate itself (" + library_.error() + "): clear the space that it moves in.");
+    refuse_force_dimension("the device cannot calibrate itself (" + library_.error() +
+                           "): clear the space that it moves in.");
   }
   library_.drd_stop(true, id_);
 }
 
 void ForceDimensionDevice::prepare() const {
   if (library_.set_gravity_compensation(options_.gravity_compensation ? 1 : 0, id_) < 0) {
-    refuse("gravity compensation cannot be set (" + library_.error() + ").");
+    refuse_force_dimension("gravity compensation cannot be set (" + library_.error() + ").");
   }
   if (options_.effector_mass && library_.set_effector_mass(*options_.effector_mass, id_) < 0) {
-    refuse("the effector's mass cannot be set (" + library_.error() + ").");
+    refuse_force_dimension("the effector's mass cannot be set (" + library_.error() + ").");
   }
   // A second limit behind the safety stage's, where the SDK has one: models that refuse it keep their own.
   if (library_.set_max_force != nullptr) library_.set_max_force(capability_.max_force, id_);
   if (library_.set_max_torque != nullptr && has_active_wrist_) library_.set_max_torque(capability_.max_torque, id_);
   if (!command_zero(library_, id_, has_active_wrist_) || library_.enable_force(1, id_) < 0) {
-    refuse("forces cannot be enabled (" + library_.error() + "): check its power and its force button.");
+    refuse_force_dimension("forces cannot be enabled (" + library_.error() +
+                           "): check its power and its force button.");
   }
 }
 
@@ -161,6 +169,10 @@ DeviceAnswer ForceDimensionDevice::read(double time, InterfaceState& state) noex
   }
   Matrix3 R_DG = Matrix3::Identity();
   for (int i = 0; has_wrist_ && i < 9; ++i) R_DG(i / 3, i % 3) = frame[i / 3][i % 3];
+  if (!is_rotation(R_DG)) {
+    history_.clear();
+    return DeviceAnswer::kFailed;
+  }
   state = {};
   state.time = time;
   state.X_WT = options_.axes.to_world(p_DG, R_DG);
@@ -173,7 +185,7 @@ DeviceAnswer ForceDimensionDevice::read(double time, InterfaceState& state) noex
 }
 
 Twist ForceDimensionDevice::velocity() const noexcept {
-  const Twist differences = history_.velocity(kVelocityWindow);
+  const Twist differences = history_.velocity(kDifferenceWindow);
   Vector3 linear, angular = Vector3::Zero();
   const bool has_linear = library_.linear_velocity(&linear.x(), &linear.y(), &linear.z(), id_) >= 0;
   const bool has_angular = !has_wrist_ || library_.angular_velocity(&angular.x(), &angular.y(), &angular.z(), id_) >= 0;

@@ -2,19 +2,6 @@
 #include <tegotae/device/force_dimension_library.hpp>
 
 namespace tegotae {
-namespace {
-
-template <class Function>
-void require(const VendorLibrary& library, const char* symbol, Function*& function) {
-  function = library.function<Function>(symbol);
-}
-
-template <class Function>
-void look_for(const VendorLibrary& library, const char* symbol, Function*& function) {
-  function = library.optional_function<Function>(symbol);
-}
-
-}  // namespace
 
 VendorLibrary ForceDimensionLibrary::find() {
   return VendorLibrary({"force-dimension",
@@ -26,39 +13,39 @@ VendorLibrary ForceDimensionLibrary::find() {
 }
 
 ForceDimensionLibrary::ForceDimensionLibrary(const VendorLibrary& library) {
-  require(library, "dhdGetDeviceCount", device_count);
+  library.require("dhdGetDeviceCount", device_count);
   file = library.file();
   if (library.optional_function<int()>("drdOpen") != nullptr) {
-    require(library, "drdOpen", drd_open);
-    require(library, "drdOpenID", drd_open_id);
-    look_for(library, "drdClose", drd_close);
-    require(library, "drdIsInitialized", drd_is_initialized);
-    require(library, "drdAutoInit", drd_auto_init);
-    require(library, "drdStop", drd_stop);
+    library.require("drdOpen", drd_open);
+    library.require("drdOpenID", drd_open_id);
+    library.look_for("drdClose", drd_close);
+    library.require("drdIsInitialized", drd_is_initialized);
+    library.require("drdAutoInit", drd_auto_init);
+    library.require("drdStop", drd_stop);
   }
-  require(library, "dhdOpen", open);
-  require(library, "dhdOpenID", open_id);
-  require(library, "dhdClose", close);
-  look_for(library, "dhdStop", stop);
-  require(library, "dhdErrorGetLastStr", last_error);
-  require(library, "dhdGetSystemName", system_name);
-  require(library, "dhdHasWrist", has_wrist);
-  require(library, "dhdHasActiveWrist", has_active_wrist);
-  require(library, "dhdHasGripper", has_gripper);
-  require(library, "dhdIsLeftHanded", is_left_handed);
-  require(library, "dhdEnableForce", enable_force);
-  require(library, "dhdSetGravityCompensation", set_gravity_compensation);
-  require(library, "dhdSetEffectorMass", set_effector_mass);
-  look_for(library, "dhdSetMaxForce", set_max_force);
-  look_for(library, "dhdSetMaxTorque", set_max_torque);
-  require(library, "dhdGetPosition", position);
-  require(library, "dhdGetPositionAndOrientationFrame", pose);
-  require(library, "dhdGetLinearVelocity", linear_velocity);
-  require(library, "dhdGetAngularVelocityRad", angular_velocity);
-  require(library, "dhdGetButtonMask", button_mask);
-  require(library, "dhdGetGripperGap", gripper_gap);
-  require(library, "dhdSetForceAndGripperForce", set_force);
-  require(library, "dhdSetForceAndTorqueAndGripperForce", set_wrench);
+  library.require("dhdOpen", open);
+  library.require("dhdOpenID", open_id);
+  library.require("dhdClose", close);
+  library.look_for("dhdStop", stop);
+  library.require("dhdErrorGetLastStr", last_error);
+  library.require("dhdGetSystemName", system_name);
+  library.require("dhdHasWrist", has_wrist);
+  library.require("dhdHasActiveWrist", has_active_wrist);
+  library.require("dhdHasGripper", has_gripper);
+  library.require("dhdIsLeftHanded", is_left_handed);
+  library.require("dhdEnableForce", enable_force);
+  library.require("dhdSetGravityCompensation", set_gravity_compensation);
+  library.require("dhdSetEffectorMass", set_effector_mass);
+  library.look_for("dhdSetMaxForce", set_max_force);
+  library.look_for("dhdSetMaxTorque", set_max_torque);
+  library.require("dhdGetPosition", position);
+  library.require("dhdGetPositionAndOrientationFrame", pose);
+  library.require("dhdGetLinearVelocity", linear_velocity);
+  library.require("dhdGetAngularVelocityRad", angular_velocity);
+  library.require("dhdGetButtonMask", button_mask);
+  library.require("dhdGetGripperGap", gripper_gap);
+  library.require("dhdSetForceAndGripperForce", set_force);
+  library.require("dhdSetForceAndTorqueAndGripperForce", set_wrench);
 }
 
 std::string ForceDimensionLibrary::error() const {

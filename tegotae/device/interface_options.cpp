@@ -8,7 +8,7 @@ namespace tegotae {
 namespace {
 
 // The part up to the next separator, which is taken off `rest` with it.
-std::string_view next_part(std::string_view& rest, char separator) {
+std::string_view next_option_part(std::string_view& rest, char separator) {
   const std::size_t end = rest.find(separator);
   const std::string_view part = rest.substr(0, end);
   rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
@@ -17,12 +17,12 @@ std::string_view next_part(std::string_view& rest, char separator) {
 
 bool is_among(std::string_view text, std::string_view allowed) {
   while (!allowed.empty()) {
-    if (next_part(allowed, '|') == text) return true;
+    if (next_option_part(allowed, '|') == text) return true;
   }
   return false;
 }
 
-std::string shown(double value) {
+std::string shown_number(double value) {
   std::string text = std::to_string(value);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
@@ -34,13 +34,13 @@ std::string shown(double value) {
 InterfaceOptions::InterfaceOptions(std::string_view driver, std::string_view text) : driver_(driver) {
   bool is_first = true;
   while (!text.empty()) {
-    std::string_view value = next_part(text, ',');
+    std::string_view value = next_option_part(text, ',');
     const bool is_named = value.find('=') != std::string_view::npos;
     if (!is_named) {
       if (!is_first) throw InterfaceError(driver_ + ": '" + std::string(value) + "' has no name; write NAME=VALUE.");
       value_ = value;
     } else {
-      const std::string name(next_part(value, '='));
+      const std::string name(next_option_part(value, '='));
       if (!named_.emplace(name, value).second) throw InterfaceError(driver_ + ": '" + name + "' is given twice.");
     }
     is_first = false;
@@ -64,8 +64,8 @@ std::optional<double> InterfaceOptions::number(const std::string& name, double l
   const char* end = given->data() + given->size();
   const auto [stop, error] = std::from_chars(given->data(), end, value);
   if (error != std::errc() || stop != end || !(value >= least && value <= most)) {
-    throw InterfaceError(driver_ + ": " + name + "=" + *given + " is no number from " + shown(least) + " to " +
-                         shown(most) + ".");
+    throw InterfaceError(driver_ + ": " + name + "=" + *given + " is no number from " + shown_number(least) + " to " +
+                         shown_number(most) + ".");
   }
   return value;
 }

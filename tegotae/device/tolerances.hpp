@@ -46,6 +46,11 @@ inline constexpr int kSpidarActiveSteps = 60;
 /// or the geometry is not this device's. Rounding leaves 9 um; 10 N stretch a thin string of 0.1 m by 0.3 mm.
 inline constexpr double kSpidarMisfit = 1e-3;
 
+/// What the product of a reported rotation matrix and its transpose may differ from the identity by, each entry, to be
+/// believed: a device's encoders and single precision leave less than a tenth of it; a matrix that its library did not
+/// fill, or filled in another order, differs by about 1.
+inline constexpr double kRotationMatrix = 1e-3;
+
 /// N and N m. A geometry must display at least this in every direction at its centre: the least force that a hand
 /// feels, and at the radius of a knot about the same.
 inline constexpr double kSpidarLeastForce = 0.04;

@@ -46,6 +46,15 @@ class VendorLibrary {
   Function* optional_function(const char* symbol) const noexcept {
     return reinterpret_cast<Function*>(found(symbol));
   }
+  /// Either, into a pointer of the function's type.
+  template <class Function>
+  void require(const char* symbol, Function*& into) const {
+    into = function<Function>(symbol);
+  }
+  template <class Function>
+  void look_for(const char* symbol, Function*& into) const noexcept {
+    into = optional_function<Function>(symbol);
+  }
 
  private:
   void try_file(const std::string& file);

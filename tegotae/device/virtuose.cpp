@@ -8,7 +8,7 @@
 namespace tegotae {
 namespace {
 
-InterfacePresence find() {
+InterfacePresence find_virtuose() {
   const VendorLibrary loaded = VirtuoseLibrary::find();
   InterfacePresence found{loaded.file(), loaded.tried(), {}, loaded.trouble()};
   if (!loaded.is_loaded()) return found;
@@ -23,7 +23,7 @@ InterfacePresence find() {
   return found;
 }
 
-std::unique_ptr<HapticInterface> open(std::string_view text) {
+std::unique_ptr<HapticInterface> open_virtuose(std::string_view text) {
   const VirtuoseOptions options = VirtuoseOptions::parse(text);
   const VirtuoseLibrary library(VirtuoseLibrary::find());
   const auto open_again = [library, options] { return std::make_unique<VirtuoseDevice>(library, options); };
@@ -31,7 +31,7 @@ std::unique_ptr<HapticInterface> open(std::string_view text) {
   return std::make_unique<ReconnectingInterface>(std::move(device), open_again);
 }
 
-bool silence(std::string_view text) noexcept {
+bool silence_virtuose(std::string_view text) noexcept {
   try {
     return VirtuoseDevice::silence(VirtuoseLibrary(VirtuoseLibrary::find()), VirtuoseOptions::parse(text));
   } catch (const std::exception&) {
@@ -39,19 +39,19 @@ bool silence(std::string_view text) noexcept {
   }
 }
 
-constexpr InterfaceDriver kDriver = {
+constexpr InterfaceDriver kVirtuoseDriver = {
     "virtuose",
     "Haption's Virtuose arms through the Virtuose API, version 4",
     "HOST[#PORT],axes=xyz,period=S,max-force=N,max-torque=NM",
     "the guard process opens the device, commands zero and switches its power off; the maker says that the controller "
     "stops by itself 2 s after commands cease, which was not tried here.",
-    find,
-    open,
-    silence,
+    find_virtuose,
+    open_virtuose,
+    silence_virtuose,
 };
 
 }  // namespace
 
-const InterfaceDriver& virtuose_driver() noexcept { return kDriver; }
+const InterfaceDriver& virtuose_driver() noexcept { return kVirtuoseDriver; }
 
 }  // namespace tegotae

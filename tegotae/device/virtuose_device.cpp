@@ -9,9 +9,9 @@ namespace tegotae {
 namespace {
 
 // N/m. No rating is public; of what is known of such arms the least that displays a wall.
-constexpr double kStiffness = 1000.0;
+constexpr double kAssumedStiffness = 1000.0;
 
-[[noreturn]] void refuse(const std::string& text) { throw InterfaceError("virtuose: " + text); }
+[[noreturn]] void refuse_virtuose(const std::string& text) { throw InterfaceError("virtuose: " + text); }
 
 bool command(const VirtuoseLibrary& library, void* context, const Vector3& force, const Vector3& torque) noexcept {
   float values[6];
@@ -54,11 +54,11 @@ VirtuoseOptions VirtuoseOptions::parse(std::string_view text) {
   InterfaceOptions given("virtuose", text);
   VirtuoseOptions options;
   options.address = given.value();
-  if (options.address.empty()) refuse("give the address of the device's controller, as virtuose:192.168.1.5.");
+  if (options.address.empty()) refuse_virtuose("give the address of the device's controller, as virtuose:192.168.1.5.");
   try {
     if (const auto axes = given.text("axes")) options.axes = AxisMap(*axes);
   } catch (const std::invalid_argument& error) {
-    refuse(error.what());
+    refuse_virtuose(error.what());
   }
   options.period = given.number("period", 1e-3, 0.01).value_or(options.period);
   options.max_force = given.number("max-force", 0.0, 70.0).value_or(options.max_force);
@@ -70,8 +70,8 @@ VirtuoseOptions VirtuoseOptions::parse(std::string_view text) {
 VirtuoseDevice::VirtuoseDevice(const VirtuoseLibrary& library, const VirtuoseOptions& options)
     : library_(library), options_(options), context_(library_.open(options_.address.c_str())) {
   if (context_ == nullptr) {
-    refuse("the controller at " + options_.address + " cannot be opened (" + library_.error(nullptr) +
-           "): check that it is on, that this machine reaches it, and that no other program has it.");
+    refuse_virtuose("the controller at " + options_.address + " cannot be opened (" + library_.error(nullptr) +
+                    "): check that it is on, that this machine reaches it, and that no other program has it.");
   }
   try {
     prepare();
@@ -86,19 +86,19 @@ VirtuoseDevice::~VirtuoseDevice() { let_go(library_, context_); }
 
 void VirtuoseDevice::prepare() const {
   if (const char* refused = configure(library_, context_, options_.period)) {
-    refuse(std::string(refused) + " cannot be set (" + library_.error(context_) + ").");
+    refuse_virtuose(std::string(refused) + " cannot be set (" + library_.error(context_) + ").");
   }
   if (library_.saturate(context_, static_cast<float>(options_.max_force), static_cast<float>(options_.max_torque)) !=
       0) {
-    refuse("the controller does not take limits of force and torque (" + library_.error(context_) + ").");
+    refuse_virtuose("the controller does not take limits of force and torque (" + library_.error(context_) + ").");
   }
   int chain_is_closed = 0;
   if (library_.get_emergency_stop(context_, &chain_is_closed) != 0 || chain_is_closed != 1) {
-    refuse("the emergency stop is pressed or not plugged in: release it.");
+    refuse_virtuose("the emergency stop is pressed or not plugged in: release it.");
   }
   if (!command_zero(library_, context_) || library_.enable_force_feedback(context_, 1) != 0 ||
       library_.set_power(context_, 1) != 0) {
-    refuse("force feedback cannot be switched on (" + library_.error(context_) + ").");
+    refuse_virtuose("force feedback cannot be switched on (" + library_.error(context_) + ").");
   }
 }
 
@@ -127,7 +127,7 @@ InterfaceCapability VirtuoseDevice::capability() const {
   result.name = "virtuose:" + options_.address;
   result.max_force = options_.max_force;
   result.max_torque = options_.max_torque;
-  result.max_stiffness = kStiffness;
+  result.max_stiffness = kAssumedStiffness;
   result.rate = 1.0 / options_.period;
   return result;
 }

@@ -3,14 +3,6 @@
 #include <tegotae/device/virtuose_library.hpp>
 
 namespace tegotae {
-namespace {
-
-template <class Function>
-void require(const VendorLibrary& library, const char* symbol, Function*& function) {
-  function = library.function<Function>(symbol);
-}
-
-}  // namespace
 
 VendorLibrary VirtuoseLibrary::find() {
   return VendorLibrary({"virtuose",
@@ -31,26 +23,26 @@ VirtuoseLibrary::VirtuoseLibrary(const VendorLibrary& library) {
                          std::to_string(minor_version) +
                          " of the Virtuose API, and only version 4 is known here; install that from Haption.");
   }
-  require(library, "virtOpen", open);
-  require(library, "virtClose", close);
-  require(library, "virtGetErrorCode", error_code);
-  require(library, "virtGetErrorMessage", error_message);
-  require(library, "virtSetIndexingMode", set_indexing_mode);
-  require(library, "virtSetForceFactor", set_force_factor);
-  require(library, "virtSetSpeedFactor", set_speed_factor);
-  require(library, "virtSetTimeStep", set_time_step);
-  require(library, "virtSetBaseFrame", set_base_frame);
-  require(library, "virtSetObservationFrame", set_observation_frame);
-  require(library, "virtSetCommandType", set_command_type);
-  require(library, "virtSaturateTorque", saturate);
-  require(library, "virtEnableForceFeedback", enable_force_feedback);
-  require(library, "virtSetPowerOn", set_power);
-  require(library, "virtGetPowerOn", get_power);
-  require(library, "virtGetEmergencyStop", get_emergency_stop);
-  require(library, "virtGetButton", get_button);
-  require(library, "virtGetPosition", get_pose);
-  require(library, "virtGetSpeed", get_speed);
-  require(library, "virtSetForce", set_force);
+  library.require("virtOpen", open);
+  library.require("virtClose", close);
+  library.require("virtGetErrorCode", error_code);
+  library.require("virtGetErrorMessage", error_message);
+  library.require("virtSetIndexingMode", set_indexing_mode);
+  library.require("virtSetForceFactor", set_force_factor);
+  library.require("virtSetSpeedFactor", set_speed_factor);
+  library.require("virtSetTimeStep", set_time_step);
+  library.require("virtSetBaseFrame", set_base_frame);
+  library.require("virtSetObservationFrame", set_observation_frame);
+  library.require("virtSetCommandType", set_command_type);
+  library.require("virtSaturateTorque", saturate);
+  library.require("virtEnableForceFeedback", enable_force_feedback);
+  library.require("virtSetPowerOn", set_power);
+  library.require("virtGetPowerOn", get_power);
+  library.require("virtGetEmergencyStop", get_emergency_stop);
+  library.require("virtGetButton", get_button);
+  library.require("virtGetPosition", get_pose);
+  library.require("virtGetSpeed", get_speed);
+  library.require("virtSetForce", set_force);
 }
 
 std::string VirtuoseLibrary::error(void* context) const {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <ostream>
 #include <string>
 
 namespace tegotae {
@@ -24,6 +25,8 @@ struct DriverCase {
   const char* options;
   const char* model;  // what the double answers to
 };
+
+void PrintTo(const DriverCase& each, std::ostream* out) { *out << each.driver; }
 
 // A cube over a floor whose top is y = 0, held by a hand that means to be 10 mm in it.
 class DriverLoop : public ::testing::TestWithParam<DriverCase> {

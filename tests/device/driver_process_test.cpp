@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 #include <string>
 
 namespace tegotae {
@@ -64,6 +65,8 @@ struct DriverCase {
   const char* folder;
   const char* options;
 };
+
+void PrintTo(const DriverCase& each, std::ostream* out) { *out << each.driver; }
 
 class KilledDriver : public ::testing::TestWithParam<DriverCase> {};
 

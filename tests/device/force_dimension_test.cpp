@@ -133,6 +133,14 @@ TEST_F(ForceDimensionTest, WhatIsNotFiniteIsDisplayedAsZero) {
   EXPECT_FALSE(state.X_WT.is_finite());  // the safety stage's to refuse
 }
 
+TEST_F(ForceDimensionTest, AFrameThatIsNoRotationIsNotBelieved) {
+  const auto interface = open();
+  sigma->bad_frame.store(true);
+  EXPECT_EQ(interface->read(0.0, state), InterfaceStatus::kLost);
+  sigma->bad_frame.store(false);
+  EXPECT_EQ(interface->read(0.0, state), InterfaceStatus::kOk);
+}
+
 TEST_F(ForceDimensionTest, OpensWithForcesOnAtZeroAndClosesWithForcesOff) {
   {
     const auto interface = open("gravity-compensation=on,effector-mass=0.15");

@@ -62,6 +62,7 @@ struct DoubleState {
   std::atomic<int> unplugged_times{0};  ///< a handle opened before is dead for good
   std::atomic<int> fail_every{0};       ///< every so manieth reading or command fails; 0: none
   std::atomic<bool> nan_pose{false}, frozen_pose{false};
+  std::atomic<bool> bad_frame{false};         ///< the rotation is reported as no rotation
   std::array<std::atomic<double>, 3> jump{};  ///< m, added to the reported position
   std::atomic<int> stall{0};                  ///< ms, once, in the next reading or command
   std::atomic<bool> uncalibrated{false};      ///< until the library calibrates it

@@ -151,7 +151,8 @@ TEGOTAE_EXPORT int dhdGetPositionAndOrientationFrame(double* x, double* y, doubl
   *x = reading.X.p.x();
   *y = reading.X.p.y();
   *z = reading.X.p.z();
-  const Matrix3 rotation = reading.X.rotation();
+  Matrix3 rotation = reading.X.rotation();
+  if (device().state()->bad_frame.load()) rotation.row(0).setZero();
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) frame[row][column] = rotation(row, column);
   }
