@@ -118,6 +118,7 @@ ForceDimensionDevice::ForceDimensionDevice(const ForceDimensionLibrary& library,
     has_gripper_ = library_.has_gripper(id_);
     gripper_sign_ = library_.is_left_handed(id_) ? -1.0 : 1.0;
     capability_ = force_dimension_capability(model != nullptr ? model : "", has_wrist_, has_active_wrist_);
+    capability_.name += serial_number();
     calibrate(may_move);
     prepare();
   } catch (...) {
@@ -127,6 +128,13 @@ ForceDimensionDevice::ForceDimensionDevice(const ForceDimensionLibrary& library,
 }
 
 ForceDimensionDevice::~ForceDimensionDevice() { let_go(library_, id_, has_active_wrist_); }
+
+// Two devices of a model, for either hand, are told apart by it when one comes back.
+std::string ForceDimensionDevice::serial_number() const {
+  unsigned short number = 0;
+  if (library_.serial_number == nullptr || library_.serial_number(&number, id_) < 0) return {};
+  return " (serial number " + std::to_string(number) + ")";
+}
 
 void ForceDimensionDevice::calibrate(bool may_move) const {
   if (library_.drd_open == nullptr || library_.drd_is_initialized(id_)) return;

@@ -7,6 +7,7 @@
 #include <tegotae/device/pose_history.hpp>
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace tegotae {
@@ -45,6 +46,7 @@ class ForceDimensionDevice final : public OpenDevice {
   static bool silence(const ForceDimensionLibrary& library, const ForceDimensionOptions& options) noexcept;
 
  private:
+  std::string serial_number() const;
   void calibrate(bool may_move) const;
   void prepare() const;
   Twist velocity() const noexcept;

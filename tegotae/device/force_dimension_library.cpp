@@ -29,6 +29,7 @@ ForceDimensionLibrary::ForceDimensionLibrary(const VendorLibrary& library) {
   library.look_for("dhdStop", stop);
   library.require("dhdErrorGetLastStr", last_error);
   library.require("dhdGetSystemName", system_name);
+  library.look_for("dhdGetSerialNumber", serial_number);
   library.require("dhdHasWrist", has_wrist);
   library.require("dhdHasActiveWrist", has_active_wrist);
   library.require("dhdHasGripper", has_gripper);

@@ -39,6 +39,7 @@ struct ForceDimensionLibrary {
   int (*stop)(char) = nullptr;  ///< null in versions without it
   const char* (*last_error)() = nullptr;
   const char* (*system_name)(char) = nullptr;
+  int (*serial_number)(unsigned short* number, char) = nullptr;  ///< null in versions without it
   bool (*has_wrist)(char) = nullptr;
   bool (*has_active_wrist)(char) = nullptr;
   bool (*has_gripper)(char) = nullptr;

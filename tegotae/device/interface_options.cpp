@@ -74,9 +74,9 @@ void InterfaceOptions::refuse_others() const {
   std::string known;
   for (const std::string& name : asked_for_) known.append(known.empty() ? "" : ", ").append(name);
   for (const auto& [name, value] : named_) {
-    if (asked_for_.count(name) == 0) {
-      throw InterfaceError(driver_ + ": there is no option '" + name + "'; there are: " + known + ".");
-    }
+    if (asked_for_.count(name) == 1) continue;
+    throw InterfaceError(std::string(driver_).append(": there is no option '").append(name).append("'; there are: ") +
+                         known + ".");
   }
 }
 

@@ -40,10 +40,12 @@ TEST(AxisMap, ThereAreTwentyFourRightHandedTurnsAndNothingElseIsTaken) {
   for (const auto& first : axes) {
     for (const auto& second : axes) {
       for (const auto& third : axes) {
+        std::string names = first;
+        names.append(second).append(third);
         try {
-          const AxisMap map(first + second + third);
+          const AxisMap map(names);
           EXPECT_EQ(map.R_WD().determinant(), 1.0);
-          taken.insert(first + second + third);
+          taken.insert(names);
         } catch (const std::invalid_argument&) {
         }
       }

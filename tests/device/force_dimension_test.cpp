@@ -272,6 +272,21 @@ TEST_F(ForceDimensionTest, UnpluggedItIsLostAndComesBack) {
   EXPECT_EQ(sigma.displayed().force.x(), 2.0);
 }
 
+TEST_F(ForceDimensionTest, AnotherDeviceOfTheSameModelIsNotTakenForTheLostOne) {
+  sigma->serial_number.store(217);
+  const auto interface = open();
+  EXPECT_EQ(interface->capability().name, "force-dimension:sigma.7 (serial number 217)");
+  sigma.unplug();
+  for (int i = 0; i < 50; ++i) interface->read(1e-3 * i, state);
+  sigma->serial_number.store(218);
+  sigma.plug_in();
+  ASSERT_TRUE(comes_true([&] { return sigma->closes.load() > 1; }));
+  EXPECT_EQ(interface->read(0.0, state), InterfaceStatus::kLost);
+  EXPECT_FALSE(sigma->forces_on.load());
+  sigma->serial_number.store(217);
+  EXPECT_TRUE(comes_true([&] { return interface->read(0.0, state) == InterfaceStatus::kOk; }));
+}
+
 TEST_F(ForceDimensionTest, ReadingAndWritingTakeNoMemoryAndNoLock) {
   const auto interface = open();
   const testing::AllocationCounter allocations;

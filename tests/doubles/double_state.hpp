@@ -34,8 +34,9 @@ struct DoubleState {
   static constexpr std::size_t kCommands = 8192;  // 8 s at 1 kHz
 
   // What the device is: set by the test before a process opens it.
-  std::array<char, 32> model{};  ///< the maker's name for it
-  std::atomic<int> degrees{6};   ///< of freedom that it measures and displays: 6 or 3
+  std::array<char, 32> model{};       ///< the maker's name for it
+  std::atomic<int> serial_number{0};  ///< 0: the library cannot tell it
+  std::atomic<int> degrees{6};        ///< of freedom that it measures and displays: 6 or 3
   std::atomic<bool> left_handed{false}, has_gripper{false};
   std::atomic<bool> has_passive_wrist{false};                  ///< with 3 degrees: turns are measured too
   std::atomic<double> max_force{12.0}, max_torque{0.2};        ///< N, N m: motors clip to these

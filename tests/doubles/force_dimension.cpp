@@ -85,11 +85,11 @@ TEGOTAE_EXPORT const char* dhdGetSystemName(char id) {
   const DoubleState* state = device().state();
   return is_mine(id) && state != nullptr ? state->model.data() : nullptr;
 }
-TEGOTAE_EXPORT void dhdGetSDKVersion(int* major, int* minor, int* release, int* revision) {
-  *major = 3;
-  *minor = 17;
-  *release = 5;
-  *revision = 0;
+TEGOTAE_EXPORT int dhdGetSerialNumber(unsigned short* number, char id) {
+  const DoubleState* state = device().state();
+  if (!is_mine(id) || state == nullptr || state->serial_number.load() == 0) return failed("not available");
+  *number = static_cast<unsigned short>(state->serial_number.load());
+  return 0;
 }
 
 TEGOTAE_EXPORT bool dhdHasWrist(char id) {
