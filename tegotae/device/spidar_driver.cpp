@@ -6,28 +6,28 @@
 namespace tegotae {
 namespace {
 
-constexpr std::string_view kNoTransport =
+constexpr std::string_view kNoSpidarTransport =
     "no transport to a SPIDAR's board is part of this program, as its packets are not public: fill in SpidarTransport "
     "for yours (docs/spidar.md), or take the simulated one, spidar-g6:x3r,simulated";
 
-InterfacePresence find() { return {"", {}, {}, fmt::format("{}.", kNoTransport)}; }
+InterfacePresence find_spidar() { return {"", {}, {}, fmt::format("{}.", kNoSpidarTransport)}; }
 
-std::unique_ptr<HapticInterface> open(std::string_view options) {
-  throw InterfaceError(fmt::format("spidar-g6{}{}: {}.", options.empty() ? "" : ":", options, kNoTransport));
+std::unique_ptr<HapticInterface> open_spidar(std::string_view options) {
+  throw InterfaceError(fmt::format("spidar-g6{}{}: {}.", options.empty() ? "" : ":", options, kNoSpidarTransport));
 }
 
-constexpr InterfaceDriver kDriver = {
+constexpr InterfaceDriver kSpidarDriver = {
     "spidar-g6",
     "SPIDAR-G6, eight strings",
     "PRESET|FILE,simulated",
     "its owner's transport: the board must let go of the motors by itself where no packet comes.",
-    find,
-    open,
+    find_spidar,
+    open_spidar,
     nullptr,
 };
 
 }  // namespace
 
-const InterfaceDriver& spidar_driver() noexcept { return kDriver; }
+const InterfaceDriver& spidar_driver() noexcept { return kSpidarDriver; }
 
 }  // namespace tegotae
