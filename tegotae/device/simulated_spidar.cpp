@@ -10,7 +10,7 @@
 namespace tegotae {
 namespace {
 
-constexpr double kSpan = 0.2e-3;      // s over which the strings' directions and the hand's speed are held
+constexpr double kSpan = 0.2e-3;            // s over which the strings' directions and the hand's speed are held
 constexpr double kLongestSpidarRead = 1.0;  // s: more is a fault of the caller's clock
 
 const SimulatedSpidarSettings& checked(const SimulatedSpidarSettings& settings) {
