@@ -4,7 +4,9 @@
 #include <tegotae/device/spidar_reach.hpp>
 #include <tegotae/device/tolerances.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -60,6 +62,9 @@ SpidarInterface::~SpidarInterface() { transport_->write(min_); }
 
 InterfaceStatus SpidarInterface::calibrate() noexcept {
   pose_ = {};
+  last_lengths_ = spidar_strings(settings_.geometry, {}).lengths;
+  last_time_ = -std::numeric_limits<double>::infinity();
+  is_doubted_ = false;
   lost();
   if (!transport_->write(min_) || !transport_->reset()) return InterfaceStatus::kLost;
   is_lost_ = false;
@@ -69,7 +74,7 @@ InterfaceStatus SpidarInterface::calibrate() noexcept {
 InterfaceStatus SpidarInterface::read(double time, InterfaceState& state) noexcept {
   SpidarVector counts;
   if (!transport_->read(time, counts)) return lost();
-  if (!fit(lengths(counts))) return lost();
+  if (!fit(lengths(counts), time)) return lost();
   is_lost_ = false;
   state = {};
   state.time = time;
@@ -90,11 +95,19 @@ InterfaceStatus SpidarInterface::write(const InterfaceCommand& command) noexcept
 }
 
 // From the last pose; where nothing fits there, from the centre, to which the grip may have been put back.
-bool SpidarInterface::fit(const SpidarVector& lengths) noexcept {
+bool SpidarInterface::fit(const SpidarVector& lengths, double time) noexcept {
+  const double since = std::max(time - last_time_, 1.0 / settings_.rate);
+  if ((lengths - last_lengths_).cwiseAbs().maxCoeff() > tolerance::kSpidarFastest * since) is_doubted_ = true;
+  const double misfit = is_doubted_ ? tolerance::kSpidarSureMisfit : tolerance::kSpidarMisfit;
   const Pose last = pose_.X_SG;
   for (const Pose& guess : {last, Pose{}}) {
     pose_ = spidar_pose(settings_.geometry, lengths, guess);
-    if (pose_.fit == SpidarFit::kConverged && pose_.misfit <= tolerance::kSpidarMisfit) return true;
+    if (pose_.fit == SpidarFit::kConverged && pose_.misfit <= misfit) {
+      is_doubted_ = false;
+      last_lengths_ = lengths;
+      last_time_ = time;
+      return true;
+    }
   }
   pose_.X_SG = last;
   return false;

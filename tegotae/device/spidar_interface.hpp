@@ -26,9 +26,11 @@ struct SpidarSettings {
 /// the pose that fits them best (spidar_kinematics.hpp) from the last one, else from the centre, and its velocity.
 /// kLost, with least tensions, where the transport does not answer, counts are not finite, no pose fits, or the best
 /// misses the lengths by more than tolerance::kSpidarMisfit (RMS): a counter slipped, or the geometry is another one's.
-/// It recovers by itself when they fit again. `write`: tensions for the wrench at the pose read last
-/// (spidar_tensions.hpp), in the best part that the motors reach; least tensions where the last read was lost, or for a
-/// wrench that is not finite. The destructor leaves least tensions. `read` and `write` do not allocate.
+/// It recovers by itself when they fit again. Lengths that leaped by more than a hand does (kSpidarFastest) must fit
+/// much better (kSpidarSureMisfit), once: several slips fit a wrong pose within a millimetre. `write`: tensions for the
+/// wrench at the pose read last (spidar_tensions.hpp), in the best part that the motors reach; least tensions where the
+/// last read was lost, or for a wrench that is not finite. The destructor leaves least tensions. `read` and `write` do
+/// not allocate.
 class SpidarInterface final : public HapticInterface {
  public:
   /// Calibrates: the grip must be held at the centre, unrotated. Throws std::invalid_argument for a geometry that
@@ -53,7 +55,7 @@ class SpidarInterface final : public HapticInterface {
 
  private:
   SpidarVector lengths(const SpidarVector& counts) const noexcept;
-  bool fit(const SpidarVector& lengths) noexcept;
+  bool fit(const SpidarVector& lengths, double time) noexcept;
   InterfaceStatus lost() noexcept;
 
   SpidarSettings settings_;
@@ -65,6 +67,9 @@ class SpidarInterface final : public HapticInterface {
   SpidarPose pose_;
   SpidarTensions display_;
   PoseHistory history_;
+  SpidarVector last_lengths_;  ///< m, the last that were believed
+  double last_time_ = 0.0;     ///< s, when
+  bool is_doubted_ = false;    ///< the lengths leaped, and did not fit well since
   bool is_lost_ = true;
   std::uint64_t shortfalls_ = 0;
 };

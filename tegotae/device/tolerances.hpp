@@ -51,6 +51,14 @@ inline constexpr double kSpidarMisfit = 1e-3;
 /// fill, or filled in another order, differs by about 1.
 inline constexpr double kRotationMatrix = 1e-3;
 
+/// m/s. Lengths that change faster come from a counter that slipped, or one that does not look like it: a hand reaches
+/// with 4 m/s, and the strings follow the knots.
+inline constexpr double kSpidarFastest = 6.0;
+
+/// m, RMS misfit at which lengths that changed faster are believed all the same. Ten times what rounding leaves; a slip
+/// of 6 mm in any string leaves 0.3 mm and more, but within the millimetre above may fit a pose far away.
+inline constexpr double kSpidarSureMisfit = 1e-4;
+
 /// N and N m. A geometry must display at least this in every direction at its centre: the least force that a hand
 /// feels, and at the radius of a knot about the same.
 inline constexpr double kSpidarLeastForce = 0.04;

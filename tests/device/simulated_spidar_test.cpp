@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/device/simulated_presets.hpp>
-#include <tegotae/device/simulated_spidar.hpp>
-#include <tegotae/device/spidar_interface.hpp>
-#include <tegotae/device/spidar_presets.hpp>
-#include <tegotae/math/rotation.hpp>
-
 #include <tests/allocation_counter.hpp>
+#include <tests/device/spidar_rig.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -18,31 +12,16 @@
 namespace tegotae {
 namespace {
 
-constexpr double kPeriod = 1e-3;  // s
-
-SpidarSettings settings_of(const char* name = "x3r") {
-  SpidarSettings settings;
-  settings.geometry = spidar_preset(name).geometry;
-  return settings;
-}
-
-SpidarVector counts_at(const SpidarGeometry& geometry, const Pose& X_SG) {
-  const SpidarVector way = spidar_strings(geometry, X_SG).lengths - spidar_strings(geometry, {}).lengths;
-  SpidarVector counts;
-  for (int i = 0; i < kSpidarStrings; ++i) {
-    counts[i] = std::round(way[i] / geometry.strings[static_cast<std::size_t>(i)].metres_per_pulse);
-  }
-  return counts;
-}
-
-Trajectory still(const Pose& X_WT = {}) { return Trajectory({{0.0, X_WT}}); }
-
-double turned(const Pose& a, const Pose& b) { return rotation_vector(a.q * b.q.conjugate()).norm(); }
+using testing::counts_at;
+using testing::kPeriod;
+using testing::simulated_settings;
+using testing::spidar_settings;
+using testing::still;
+using testing::turned;
 
 /// Driver, simulated device and hand.
 struct Simulated {
-  Simulated(const SpidarSettings& driver, SimulatedSpidarSettings device, Trajectory intended) {
-    device.X_WS = driver.X_WS;
+  Simulated(const SpidarSettings& driver, const SimulatedSpidarSettings& device, Trajectory intended) {
     auto owned = std::make_unique<SimulatedSpidar>(device, std::make_unique<IntendedTrajectory>(std::move(intended)));
     device_ = owned.get();
     interface = std::make_unique<SpidarInterface>(driver, std::move(owned));
@@ -51,18 +30,11 @@ struct Simulated {
   std::unique_ptr<SpidarInterface> interface;
 };
 
-SimulatedSpidarSettings device_of(const SpidarSettings& driver) {
-  SimulatedSpidarSettings device;
-  device.geometry = driver.geometry;
-  device.hand = simulated_hand("moderate");
-  return device;
-}
-
 TEST(SimulatedSpidar, AHandTakesTheGripAndTheDriverFollows) {
-  SpidarSettings settings = settings_of();
+  SpidarSettings settings = spidar_settings();
   settings.X_WS = {{0.0, 0.0, 0.4}, rotation_from_vector({0.0, 0.0, 0.5})};
   const Pose goal{{0.01, -0.008, 0.41}, rotation_from_vector({0.2, 0.1, 0.6})};
-  Simulated spidar(settings, device_of(settings), Trajectory({{0.0, settings.X_WS}, {0.5, goal}}));
+  Simulated spidar(settings, simulated_settings(settings), Trajectory({{0.0, settings.X_WS}, {0.5, goal}}));
   InterfaceState state;
   double fastest = 0.0;
   for (int k = 0; k <= 2000; ++k) {
@@ -78,8 +50,8 @@ TEST(SimulatedSpidar, AHandTakesTheGripAndTheDriverFollows) {
 }
 
 TEST(SimulatedSpidar, FeelsTheWrenchThatWasCommanded) {
-  SpidarSettings settings = settings_of("x4r");
-  Simulated spidar(settings, device_of(settings), still(settings.X_WS));
+  SpidarSettings settings = spidar_settings("x4r");
+  Simulated spidar(settings, simulated_settings(settings), still(settings.X_WS));
   const Wrench wrench{{2.0, -1.0, 1.5}, {0.05, 0.0, -0.05}};
   InterfaceState state;
   for (int k = 0; k <= 2000; ++k) {
@@ -97,8 +69,8 @@ TEST(SimulatedSpidar, FeelsTheWrenchThatWasCommanded) {
 
 TEST(SimulatedSpidar, StringsThatGiveMisleadADriverThatDoesNotKnow) {
   for (const bool knows : {false, true}) {
-    SpidarSettings settings = settings_of();
-    SimulatedSpidarSettings device = device_of(settings);
+    SpidarSettings settings = spidar_settings();
+    SimulatedSpidarSettings device = simulated_settings(settings);
     device.geometry.axial_stiffness = 5000.0;
     if (knows) settings.geometry.axial_stiffness = 5000.0;
     Simulated spidar(settings, device, still());
@@ -118,8 +90,8 @@ TEST(SimulatedSpidar, StringsThatGiveMisleadADriverThatDoesNotKnow) {
 }
 
 TEST(SimulatedSpidar, MotorsClipAndRefuseWhatIsNoNumber) {
-  SpidarSettings settings = settings_of();
-  SimulatedSpidar spidar(device_of(settings), std::make_unique<IntendedTrajectory>(still()));
+  SpidarSettings settings = spidar_settings();
+  SimulatedSpidar spidar(simulated_settings(settings), std::make_unique<IntendedTrajectory>(still()));
   SpidarVector tensions = SpidarVector::Constant(1.0);
   tensions[0] = 50.0;
   tensions[1] = -3.0;
@@ -132,9 +104,9 @@ TEST(SimulatedSpidar, MotorsClipAndRefuseWhatIsNoNumber) {
 }
 
 TEST(SimulatedSpidar, CountsAreWholeAndZeroAtTheCentreWhereverTheMotionBegins) {
-  SpidarSettings settings = settings_of();
+  SpidarSettings settings = spidar_settings();
   const Pose start{{0.01, 0.0, 0.0}, Quaternion::Identity()};
-  SimulatedSpidar spidar(device_of(settings), std::make_unique<IntendedTrajectory>(still(start)));
+  SimulatedSpidar spidar(simulated_settings(settings), std::make_unique<IntendedTrajectory>(still(start)));
   SpidarVector counts;
   ASSERT_TRUE(spidar.read(0.0, counts));
   EXPECT_EQ(counts, counts_at(settings.geometry, start));
@@ -144,8 +116,8 @@ TEST(SimulatedSpidar, CountsAreWholeAndZeroAtTheCentreWhereverTheMotionBegins) {
 }
 
 TEST(SimulatedSpidar, AClockThatFailsAndAPulledPlugFail) {
-  SpidarSettings settings = settings_of();
-  Simulated spidar(settings, device_of(settings), still());
+  SpidarSettings settings = spidar_settings();
+  Simulated spidar(settings, simulated_settings(settings), still());
   InterfaceState state;
   EXPECT_EQ(spidar.interface->read(std::numeric_limits<double>::quiet_NaN(), state), InterfaceStatus::kLost);
   EXPECT_EQ(spidar.interface->read(1e6, state), InterfaceStatus::kLost);
@@ -160,8 +132,8 @@ TEST(SimulatedSpidar, AClockThatFailsAndAPulledPlugFail) {
 }
 
 TEST(SimulatedSpidar, NothingIsAllocatedOnceMade) {
-  SpidarSettings settings = settings_of();
-  Simulated spidar(settings, device_of(settings), still());
+  SpidarSettings settings = spidar_settings();
+  Simulated spidar(settings, simulated_settings(settings), still());
   InterfaceState state;
   const testing::AllocationCounter counter;
   for (int k = 0; k < 100; ++k) {
