@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/contact_experiment.hpp>
 #include <tegotae/lab/edge_tasks.hpp>
 #include <tegotae/lab/motion.hpp>
@@ -6,14 +7,8 @@
 #include <tegotae/lab/smooth_path.hpp>
 #include <tegotae/math/rotation.hpp>
 
-#include <numbers>
-
 namespace tegotae {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-const ReportedAxis kX{"x", Vector3::UnitX()};
 
 Quaternion turned(const Vector3& axis, double degrees) { return rotation_from_vector(degrees * kDegree * axis); }
 
@@ -63,7 +58,7 @@ Experiment table_edge_experiment() {
                        {"c", "brought back, turned by 20 and rolled by 4 degrees", 2.4, 3.6},
                        {"d", "lowered on an edge", 3.6, 4.2},
                        {"e", "slid over the edge, edge on edge", 4.2, 6.0}};
-  experiment.figures = {wrench_over_time(experiment, "Slid over a table's edge", kX)};
+  experiment.figures = {wrench_over_time(experiment, "Slid over a table's edge", kAlongX)};
   experiment.reference = offline_reference();
   experiment.notes =
       "Beyond the edge the force falls with the lever arm and the torque grows; when the tool's rear passes the edge "
@@ -82,7 +77,7 @@ Experiment overhang_experiment() {
                        {"d", "centre moved beyond a corner", 3.4, 4.2},
                        {"e", "tilted to and fro", 4.2, 5.4},
                        {"f", "lifted", 5.4, 6.0}};
-  experiment.figures = {wrench_over_time(experiment, "A plate on a pillar", kX)};
+  experiment.figures = {wrench_over_time(experiment, "A plate on a pillar", kAlongX)};
   experiment.reference = offline_reference();
   experiment.notes =
       "The torque is the force times the distance of the pillar's edge, or corner, from the plate's centre. Points "
@@ -95,7 +90,7 @@ Experiment knurl_experiment() {
       contact_experiment("knurl", "a knob of 5000 vertices rolls over a table's edge", "knurl.xml", 0.0);
   experiment.motion = rolled_over;
   experiment.phases = {{"a", "lowered onto the table", 0.0, 0.4}, {"b", "rolled over the edge", 0.4, 2.0}};
-  experiment.figures = {wrench_over_time(experiment, "Rolled over a table's edge", kX)};
+  experiment.figures = {wrench_over_time(experiment, "Rolled over a table's edge", kAlongX)};
   experiment.reference = offline_reference();
   experiment.notes = "Each vertex that takes over is a small bend of the force, never a step.";
   return experiment;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/contact_experiment.hpp>
 #include <tegotae/lab/friction_references.hpp>
 #include <tegotae/lab/friction_tasks.hpp>
@@ -12,14 +13,11 @@
 namespace tegotae {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kFriction = 0.5;
 constexpr double kDepth = 1e-3;       // m, of the lowest point under the floor
 constexpr double kHalfEdge = 0.02;    // m, of the cube
 constexpr double kFaceEdge = 0.06;    // m, of the plate's lower face
 constexpr double kDiscRadius = 0.03;  // m
-
-const ReportedAxis kX{"x", Vector3::UnitX()}, kY{"y", Vector3::UnitY()}, kZ{"z", Vector3::UnitZ()};
 
 // The tool turned by `q_WT`, its lowest point `depth` under the floor.
 Pose over_floor(const Tool& tool, double x, double depth, const Quaternion& q_WT) {
@@ -56,8 +54,8 @@ Experiment drag(const std::string& name, const std::string& summary, const Quate
   experiment.motion = dragged(q_WT);
   experiment.phases = {
       {"a", "lowered onto the floor", 0.0, 0.5}, {"b", "dragged along x", 0.5, 2.4}, {"c", "dragged back", 2.4, 4.2}};
-  experiment.force_axis = kX;
-  experiment.figures = {wrench_over_time(experiment, "Dragged over a floor", kX)};
+  experiment.force_axis = kAlongX;
+  experiment.figures = {wrench_over_time(experiment, "Dragged over a floor", kAlongX)};
   return experiment;
 }
 
@@ -67,8 +65,8 @@ Experiment twist(const std::string& name, const std::string& summary, const std:
   experiment.phases = {{"a", "pressed onto the floor", 0.0, 0.5},
                        {"b", "twisted by 20 degrees", 0.5, 1.8},
                        {"c", "twisted back by 40 degrees", 1.8, 4.0}};
-  experiment.torque_axis = kZ;
-  experiment.figures = {wrench_over_time(experiment, "A face twisted on a floor", kZ)};
+  experiment.torque_axis = kAlongZ;
+  experiment.figures = {wrench_over_time(experiment, "A face twisted on a floor", kAlongZ)};
   experiment.reference = flat_face_reference(kFriction, mean_distance);
   experiment.notes =
       "The torque grows with the twist up to the coefficient of friction times the normal force times the mean "
@@ -90,8 +88,8 @@ Experiment slope_experiment() {
   experiment.motion = leaning;
   experiment.phases = {
       {"a", "pressed onto the floor", 0.0, 0.5}, {"b", "leaned to 40 degrees", 0.5, 4.0}, {"c", "back", 4.0, 5.0}};
-  experiment.force_axis = kX;
-  experiment.figures = {wrench_over_time(experiment, "A force that leans", kX)};
+  experiment.force_axis = kAlongX;
+  experiment.figures = {wrench_over_time(experiment, "A force that leans", kAlongX)};
   experiment.reference = flat_face_reference(kFriction, mean_distance_in_square(kFaceEdge));
   experiment.notes =
       "As on a slope that grows steeper: the face sticks until the force leans by atan 0.5 = 26.57 degrees from the "

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/offline_reference.hpp>
 #include <tegotae/lab/paper_cube.hpp>
@@ -7,14 +8,12 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 
 namespace tegotae {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kHalfEdge = 0.1;  // m, of the cube in the scene
 
 // The paper's times: about 6 s in all, the edge turned onto the face by 3.8 s.

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/offline_reference.hpp>
 #include <tegotae/lab/paper_tools.hpp>
 #include <tegotae/lab/quantities.hpp>
 #include <tegotae/math/rotation.hpp>
 
-#include <numbers>
 #include <string>
 #include <utility>
 
 namespace tegotae {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 constexpr double kTouched = 1.0, kPressed = 2.0, kRolled = 5.0, kEnd = 6.0;  // s
 constexpr double kClearance = 0.02;                                          // m

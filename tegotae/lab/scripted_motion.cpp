@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/scripted_motion.hpp>
@@ -13,8 +14,6 @@
 
 namespace tegotae {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 // A direction across, the same for every scene of one up axis.
 Vector3 across(const Vector3& up_W) { return any_perpendicular(up_W); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/spidar_workspace.hpp>
 
+#include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/gnuplot.hpp>
 #include <tegotae/lab/text_file.hpp>
 #include <tegotae/math/rotation.hpp>
@@ -16,7 +17,6 @@
 namespace tegotae {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kCells = 80;  // of a map, along each axis
 constexpr const char* kAxes[] = {"x", "y", "z"};
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/contact_experiment.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/offline_reference.hpp>
@@ -8,15 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tegotae {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kDeepest = 0.05;  // m, of the lowest point
-
-const ReportedAxis kZ{"z", Vector3::UnitZ()};
 
 // Tilts of the presses, as rotation vectors in degrees: flat, on an edge, on a corner, steep.
 const Vector3 kTilts[] = {{0.0, 0.0, 0.0}, {0.0, 5.0, 0.0}, {12.0, 9.0, 0.0}, {0.0, 30.0, 10.0}};
@@ -86,7 +83,7 @@ Experiment thin_plate_press_experiment() {
                                              "thin-plate.xml", 0.0);
   experiment.motion = pressed;
   experiment.phases = phases(kPress);
-  experiment.figures = {wrench_over_time(experiment, "A thin plate pressed", kZ)};
+  experiment.figures = {wrench_over_time(experiment, "A thin plate pressed", kAlongZ)};
   experiment.reference = offline_reference();
   experiment.notes =
       "The tool stays above the plate however deep the hand goes. A tilted tool is turned onto its face on the way. A "
@@ -99,7 +96,7 @@ Experiment thin_plate_strike_experiment() {
                                              "thin-plate.xml", 0.0);
   experiment.motion = struck;
   experiment.phases = phases(kStrike);
-  experiment.figures = {wrench_over_time(experiment, "A thin plate struck", kZ)};
+  experiment.figures = {wrench_over_time(experiment, "A thin plate struck", kAlongZ)};
   experiment.reference = offline_reference();
   experiment.notes =
       "At 1 m/s the hand passes the plate within one tick, and goes on for 50 ms, a physics period. The tool stays "

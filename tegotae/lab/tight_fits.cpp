@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/contact_experiment.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/offline_reference.hpp>
@@ -9,14 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tegotae {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-const ReportedAxis kX{"x", Vector3::UnitX()}, kZ{"z", Vector3::UnitZ()};
 
 /// Place (m) and rotation vector (degrees) over time.
 struct SixPaths {
@@ -114,8 +110,8 @@ Experiment slot_narrow_experiment() {
                        {"c", "held, tilted by 0.2 degrees", 2.5, 3.0},
                        {"d", "pulled out", 3.0, 4.0},
                        {"e", "pressed onto the rims", 4.0, 5.5}};
-  experiment.force_axis = kX;
-  experiment.figures = {wrench_over_time(experiment, "In a slot too narrow", kX)};
+  experiment.force_axis = kAlongX;
+  experiment.figures = {wrench_over_time(experiment, "In a slot too narrow", kAlongX)};
   experiment.reference = narrow_slot_reference;
   experiment.notes =
       "No place satisfies both walls; the least violation is the middle, and the hand is pulled there. The walls push "
@@ -128,8 +124,8 @@ Experiment slot_play_experiment() {
       contact_experiment("slot-play", "a block in a slot with 0.02 mm of play", "slot-play.xml", 0.0);
   experiment.motion = motion_along(in_the_slot_with_play(), 4.2);
   experiment.phases = {{"a", "put in", 0.0, 1.2}, {"b", "wobbled", 1.2, 3.3}, {"c", "held", 3.3, 4.2}};
-  experiment.force_axis = kX;
-  experiment.figures = {wrench_over_time(experiment, "In a slot with little play", kX)};
+  experiment.force_axis = kAlongX;
+  experiment.figures = {wrench_over_time(experiment, "In a slot with little play", kAlongX)};
   experiment.reference = offline_reference();
   experiment.notes = "Across the slot the block has 0.01 mm to either side; along it and upwards it is free.";
   return experiment;
@@ -141,7 +137,7 @@ Experiment wedge_experiment() {
   experiment.motion = motion_along(in_the_wedge(), 3.8);
   experiment.phases = {
       {"a", "pressed in", 0.0, 1.2}, {"b", "moved across and tilted", 1.2, 3.0}, {"c", "held", 3.0, 3.8}};
-  experiment.figures = {wrench_over_time(experiment, "Pressed into a wedge", kZ)};
+  experiment.figures = {wrench_over_time(experiment, "Pressed into a wedge", kAlongZ)};
   experiment.reference = offline_reference();
   experiment.notes =
       "Each wall pushes with nearly six times the force that is felt. The hand feels where the block fits, without "
@@ -158,7 +154,7 @@ Experiment peg_in_hole_experiment() {
                        {"c", "pushed to the bottom", 2.6, 3.2},
                        {"d", "wobbled", 3.2, 5.0},
                        {"e", "held", 5.0, 5.4}};
-  experiment.figures = {wrench_over_time(experiment, "A peg in a hole", kZ)};
+  experiment.figures = {wrench_over_time(experiment, "A peg in a hole", kAlongZ)};
   experiment.reference = offline_reference();
   experiment.notes =
       "Within its clearance the peg enters without a force, seats on the floor, and is then held from all sides: the "

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/offline_reference.hpp>
 #include <tegotae/lab/quantities.hpp>
 #include <tegotae/lab/tilt_sweep.hpp>
 #include <tegotae/math/rotation.hpp>
 
-#include <numbers>
-
 namespace tegotae {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kDuration = 4.0;         // s: a tick turns the cube by 0.00025 degrees
 constexpr double kSweep = 0.5 * kDegree;  // to either side
 constexpr double kDepth = 0.3e-3;         // m, of the face where it is flat

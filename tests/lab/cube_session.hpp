@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/session.hpp>
 #include <tegotae/math/rotation.hpp>
@@ -13,7 +14,6 @@
 
 namespace tegotae {
 
-inline constexpr double kDegree = std::numbers::pi / 180.0;
 inline constexpr double kHalfEdge = 0.1;  // m, of the cube in scenes/paper-cube.xml
 inline constexpr double kStiffness = 9000.0;
 
