@@ -11,7 +11,7 @@ namespace {
 using Calibrate = OpenHapticsDevice::Calibrate;
 
 // The HD API lists no devices: the default one is asked for.
-InterfacePresence find() {
+InterfacePresence find_openhaptics() {
   const VendorLibrary loaded = OpenHapticsLibrary::find();
   InterfacePresence found{loaded.file(), loaded.tried(), {}, loaded.trouble()};
   if (!loaded.is_loaded()) return found;
@@ -24,7 +24,7 @@ InterfacePresence find() {
   return found;
 }
 
-std::unique_ptr<HapticInterface> open(std::string_view text) {
+std::unique_ptr<HapticInterface> open_openhaptics(std::string_view text) {
   const OpenHapticsOptions options = OpenHapticsOptions::parse(text);
   const OpenHapticsLibrary library(OpenHapticsLibrary::find());
   const auto opener = [library, options]() -> std::unique_ptr<OpenDevice> {
@@ -33,7 +33,7 @@ std::unique_ptr<HapticInterface> open(std::string_view text) {
   return std::make_unique<ReconnectingInterface>(opener(), opener);
 }
 
-bool silence(std::string_view text) noexcept {
+bool silence_openhaptics(std::string_view text) noexcept {
   try {
     return OpenHapticsDevice::silence(OpenHapticsLibrary(OpenHapticsLibrary::find()), OpenHapticsOptions::parse(text));
   } catch (const std::exception&) {
@@ -41,20 +41,20 @@ bool silence(std::string_view text) noexcept {
   }
 }
 
-constexpr InterfaceDriver kDriver = {
+constexpr InterfaceDriver kOpenHapticsDriver = {
     "openhaptics",
     "Touch, Touch X, Omni, Desktop and Premium through the HD API of OpenHaptics",
     "NAME,axes=zxy",
     "the guard process opens the device and commands zero; while this process lives and only its haptic thread stands "
     "still, the servo loop drops the command after 20 callbacks; whether the device lets go by itself is not known "
     "here.",
-    find,
-    open,
-    silence,
+    find_openhaptics,
+    open_openhaptics,
+    silence_openhaptics,
 };
 
 }  // namespace
 
-const InterfaceDriver& openhaptics_driver() noexcept { return kDriver; }
+const InterfaceDriver& openhaptics_driver() noexcept { return kOpenHapticsDriver; }
 
 }  // namespace tegotae

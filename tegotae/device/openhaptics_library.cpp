@@ -2,15 +2,6 @@
 #include <tegotae/device/openhaptics_library.hpp>
 
 namespace tegotae {
-namespace {
-
-template <class Function>
-void require(const VendorLibrary& library, const char* symbol, Function*& function) {
-  function = library.function<Function>(symbol);
-}
-
-}  // namespace
-
 VendorLibrary OpenHapticsLibrary::find() {
   return VendorLibrary({"openhaptics",
                         "OpenHaptics (its HD API)",
@@ -21,24 +12,24 @@ VendorLibrary OpenHapticsLibrary::find() {
 }
 
 OpenHapticsLibrary::OpenHapticsLibrary(const VendorLibrary& library) {
-  require(library, "hdInitDevice", init_device);
-  require(library, "hdDisableDevice", disable_device);
-  require(library, "hdMakeCurrentDevice", make_current_device);
-  require(library, "hdBeginFrame", begin_frame);
-  require(library, "hdEndFrame", end_frame);
-  require(library, "hdEnable", enable);
-  require(library, "hdDisable", disable);
-  require(library, "hdGetDoublev", get_doubles);
-  require(library, "hdSetDoublev", set_doubles);
-  require(library, "hdGetIntegerv", get_integers);
-  require(library, "hdGetString", get_string);
-  require(library, "hdGetError", get_error);
-  require(library, "hdCheckCalibration", check_calibration);
-  require(library, "hdUpdateCalibration", update_calibration);
-  require(library, "hdScheduleAsynchronous", schedule_asynchronous);
-  require(library, "hdUnschedule", unschedule);
-  require(library, "hdStartScheduler", start_scheduler);
-  require(library, "hdStopScheduler", stop_scheduler);
+  library.require("hdInitDevice", init_device);
+  library.require("hdDisableDevice", disable_device);
+  library.require("hdMakeCurrentDevice", make_current_device);
+  library.require("hdBeginFrame", begin_frame);
+  library.require("hdEndFrame", end_frame);
+  library.require("hdEnable", enable);
+  library.require("hdDisable", disable);
+  library.require("hdGetDoublev", get_doubles);
+  library.require("hdSetDoublev", set_doubles);
+  library.require("hdGetIntegerv", get_integers);
+  library.require("hdGetString", get_string);
+  library.require("hdGetError", get_error);
+  library.require("hdCheckCalibration", check_calibration);
+  library.require("hdUpdateCalibration", update_calibration);
+  library.require("hdScheduleAsynchronous", schedule_asynchronous);
+  library.require("hdUnschedule", unschedule);
+  library.require("hdStartScheduler", start_scheduler);
+  library.require("hdStopScheduler", stop_scheduler);
 }
 
 }  // namespace tegotae

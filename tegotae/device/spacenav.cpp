@@ -8,7 +8,7 @@
 namespace tegotae {
 namespace {
 
-InterfacePresence find() {
+InterfacePresence find_spacenav() {
   const VendorLibrary loaded = SpacenavLibrary::find();
   InterfacePresence found{loaded.file(), loaded.tried(), {}, loaded.trouble()};
   if (!loaded.is_loaded()) return found;
@@ -21,7 +21,7 @@ InterfacePresence find() {
   return found;
 }
 
-std::unique_ptr<HapticInterface> open(std::string_view text) {
+std::unique_ptr<HapticInterface> open_spacenav(std::string_view text) {
   const auto motion = std::make_shared<SpacenavMotion>(parse_spacenav_settings(text));
   const SpacenavLibrary library(SpacenavLibrary::find());
   const auto opener = [library, motion]() -> std::unique_ptr<OpenDevice> {
@@ -30,18 +30,18 @@ std::unique_ptr<HapticInterface> open(std::string_view text) {
   return std::make_unique<ReconnectingInterface>(opener(), opener);
 }
 
-constexpr InterfaceDriver kDriver = {
+constexpr InterfaceDriver kSpacenavDriver = {
     "spacenav",
     "3-D mice of 3Dconnexion and others through spacenavd; they move the tool and display nothing",
     "mode=rate|offset,speed=M/S,turning-speed=RAD/S,reach=M,tilt=RAD,dead-zone=PART,axes=x-zy",
     "there is nothing to do, as it displays no force.",
-    find,
-    open,
+    find_spacenav,
+    open_spacenav,
     nullptr,
 };
 
 }  // namespace
 
-const InterfaceDriver& spacenav_driver() noexcept { return kDriver; }
+const InterfaceDriver& spacenav_driver() noexcept { return kSpacenavDriver; }
 
 }  // namespace tegotae

@@ -19,11 +19,6 @@ constexpr int kWait = 20;         // ms for an event, and so until the end is no
 constexpr int kMostEvents = 256;  // taken at once: seconds of them
 constexpr int kButtons = 32;      // that an InterfaceState has room for
 
-template <class Function>
-void require(const VendorLibrary& library, const char* symbol, Function*& function) {
-  function = library.function<Function>(symbol);
-}
-
 // The other end has closed the connection.
 bool has_ended(int file) noexcept {
   char byte = 0;
@@ -41,10 +36,10 @@ VendorLibrary SpacenavLibrary::find() {
 }
 
 SpacenavLibrary::SpacenavLibrary(const VendorLibrary& library) {
-  require(library, "spnav_open", open);
-  require(library, "spnav_close", close);
-  require(library, "spnav_fd", file);
-  require(library, "spnav_poll_event", poll_event);
+  library.require("spnav_open", open);
+  library.require("spnav_close", close);
+  library.require("spnav_fd", file);
+  library.require("spnav_poll_event", poll_event);
 }
 
 SpacenavSettings parse_spacenav_settings(std::string_view text) {

@@ -17,10 +17,10 @@
 namespace tegotae {
 namespace {
 
-constexpr double kMicrosecond = 1e-6;  // s
+constexpr double kOneMicrosecond = 1e-6;  // s
 
 std::string percentiles(const DurationHistogram& durations) {
-  const auto us = [](double seconds) { return seconds / kMicrosecond; };
+  const auto us = [](double seconds) { return seconds / kOneMicrosecond; };
   return fmt::format("median {:.1f} us, 99 % {:.1f} us, 99.9 % {:.1f} us, worst {:.1f} us of {}",
                      us(durations.median()), us(durations.percentile(0.99)), us(durations.percentile(0.999)),
                      us(durations.max()), durations.count());
@@ -91,7 +91,7 @@ DurationHistogram measure_ticks(const Progress& progress) {
   DurationHistogram ticks;
   session.run_simulated(
       [&](const TickRecord& record) {
-        ticks.add(record.tick_us * kMicrosecond);
+        ticks.add(record.tick_us * kOneMicrosecond);
         return true;
       },
       progress);
@@ -100,7 +100,7 @@ DurationHistogram measure_ticks(const Progress& progress) {
 
 Finding tick_finding(const DurationHistogram& ticks, double period) {
   Finding finding{Verdict::kOk, "tick",
-                  fmt::format("{}; the period is {:g} us.", percentiles(ticks), period / kMicrosecond), ""};
+                  fmt::format("{}; the period is {:g} us.", percentiles(ticks), period / kOneMicrosecond), ""};
   if (ticks.percentile(0.999) <= 0.5 * period) return finding;
   finding.verdict = ticks.percentile(0.99) <= period ? Verdict::kCouldBeBetter : Verdict::kNotPossible;
   finding.mend =
