@@ -4,6 +4,7 @@
 #include <tegotae/device/interface_drivers.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/interface_choice.hpp>
+#include <tegotae/lab/playback_driver.hpp>
 #include <tegotae/lab/spidar_workspace.hpp>
 
 #include <fmt/format.h>
@@ -36,9 +37,9 @@ void print_driver(const InterfaceDriver& driver) {
 }
 
 void list(const std::string& name) {
-  if (!name.empty()) return print_driver(find_interface_driver(name));
+  if (!name.empty()) return print_driver(find_interface_driver(name, known_drivers()));
   fmt::print("page\n    simulated, guided from the page of 'tegotae serve'; the default\n");
-  for (const InterfaceDriver* driver : interface_drivers()) print_driver(*driver);
+  for (const InterfaceDriver* driver : known_drivers()) print_driver(*driver);
 }
 
 struct InterfacesOptions {

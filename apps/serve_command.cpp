@@ -9,11 +9,13 @@
 #include <tegotae/lab/experiment.hpp>
 #include <tegotae/lab/live_messages.hpp>
 #include <tegotae/lab/live_session.hpp>
+#include <tegotae/lab/playback_driver.hpp>
 #include <tegotae/lab/scene_file.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -68,7 +70,7 @@ struct HeldInterface {
 
 const InterfaceDriver& driver_called(const std::string& name) {
   try {
-    return find_interface_driver(name);
+    return find_interface_driver(name, known_drivers());
   } catch (const InterfaceError& error) {
     throw UsageError(fmt::format("{} 'page' is a simulated interface and hand that the page guides.", error.what()));
   }
@@ -85,8 +87,10 @@ HeldInterface hold_interface(const std::string& text) {
   }
   held.device = driver.open(name.options);
   const InterfaceCapability capability = held.device->capability();
-  fmt::print("tegotae: {} is in the hand: {:g} N, {:g} N m at most. After a crash: {}\n", capability.name,
-             capability.max_force, capability.max_torque, driver.after_a_crash);
+  const std::string limits = std::isfinite(capability.max_force)
+                                 ? fmt::format("{:g} N, {:g} N m at most", capability.max_force, capability.max_torque)
+                                 : "without limits of its own";
+  fmt::print("tegotae: {} is in the hand: {}. After a crash: {}\n", capability.name, limits, driver.after_a_crash);
   return held;
 }
 

@@ -24,9 +24,9 @@ InterfaceName parse_interface_name(std::string_view text) {
   return {std::string(text.substr(0, colon)), std::string(text.substr(colon + 1))};
 }
 
-const InterfaceDriver& find_interface_driver(std::string_view name) {
+const InterfaceDriver& find_interface_driver(std::string_view name, std::span<const InterfaceDriver* const> drivers) {
   std::string names;
-  for (const InterfaceDriver* driver : interface_drivers()) {
+  for (const InterfaceDriver* driver : drivers) {
     if (driver->name == name) return *driver;
     names += (names.empty() ? "" : ", ") + std::string(driver->name);
   }

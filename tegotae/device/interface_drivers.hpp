@@ -18,7 +18,8 @@ struct InterfaceName {
 };
 InterfaceName parse_interface_name(std::string_view text);
 
-/// The driver called `name`. Throws InterfaceError, with the names, where there is none.
-const InterfaceDriver& find_interface_driver(std::string_view name);
+/// The driver called `name` among `drivers`. Throws InterfaceError, with the names, where there is none.
+const InterfaceDriver& find_interface_driver(std::string_view name,
+                                             std::span<const InterfaceDriver* const> drivers = interface_drivers());
 
 }  // namespace tegotae
