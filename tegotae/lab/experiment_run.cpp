@@ -7,6 +7,7 @@
 #include <tegotae/lab/scene_file.hpp>
 #include <tegotae/lab/summary_json.hpp>
 #include <tegotae/lab/text_file.hpp>
+#include <tegotae/runtime/safety.hpp>
 
 #include <fmt/format.h>
 
@@ -91,6 +92,24 @@ ExperimentInterface interface_of(const Experiment& experiment, const SessionSett
   return interface_for(*request.interface, motion, up_W, played(experiment, settings, motion, request), tool);
 }
 
+// What the interface kept from the hand.
+void warn_of_limits(const VariantResult& result, const InterfaceRequest& interface,
+                    std::vector<std::string>& warnings) {
+  const auto saturated = [&](SafetyEvent event) { return result.summary.safety_events.at(name_of(event)); };
+  const std::uint64_t force = saturated(SafetyEvent::kForceSaturated),
+                      torque = saturated(SafetyEvent::kTorqueSaturated);
+  if (force + torque > 0) {
+    add_once(warnings, fmt::format("{}: the force that {} has was not enough in {} of {} ticks, its torque in {}.",
+                                   result.variant.name, interface.choice.name, force, result.records.size(), torque));
+  }
+  if (result.display->shortfalls > 0) {
+    add_once(
+        warnings,
+        fmt::format("{}: where its grip was, the motors of {} could not display what was commanded in {} of {} ticks.",
+                    result.variant.name, interface.choice.name, result.display->shortfalls, result.records.size()));
+  }
+}
+
 VariantResult run_variant(const Experiment& experiment, const Variant& variant, const ExperimentRequest& request,
                           std::filesystem::path samples_file, const std::filesystem::path& recording_file,
                           std::vector<std::string>& warnings, const Progress& progress) {
@@ -141,7 +160,10 @@ VariantResult run_variant(const Experiment& experiment, const Variant& variant, 
   add_once(warnings, session.trouble());
   if (result.real_time) add_once(warnings, result.real_time->physics_error);
   result.summary = summarise(experiment, result.records, settings.haptic_rate);
-  if (session.is_closed_loop()) result.display = display_summary(result.records);
+  if (session.is_closed_loop()) {
+    result.display = display_summary(result.records);
+    warn_of_limits(result, *request.interface, warnings);
+  }
   return result;
 }
 

@@ -111,6 +111,19 @@ TEST(ExperimentInterface, WhatIsWrittenTellsOfIt) {
   }
 }
 
+TEST(ExperimentInterface, WhatTheInterfaceKeepsFromTheHandIsAWarning) {
+  Experiment experiment = find_experiment("paper-cube");
+  // 3 N are pressed with, and 0.1 N m: more than these motors have.
+  InterfaceRequest weak = interface_request("simulated:page", "moderate");
+  std::get<SimulatedDevice>(weak.choice.model).capability.max_force = 0.5;
+  const TemporaryFolder folder;
+  const ExperimentResult result = performed(experiment, weak, folder.path());
+  EXPECT_THAT(result.warnings, testing::Contains(testing::AllOf(testing::HasSubstr("the force that simulated:page has"),
+                                                                testing::HasSubstr("of 6001 ticks"))));
+  EXPECT_LE(result.variants[0].display->greatest_force, 0.5);
+  EXPECT_GT(result.variants[0].summary.safety_events.at("force_saturated"), 100U);
+}
+
 TEST(ExperimentInterface, RepeatsBitForBit) {
   const InterfaceRequest interface = interface_request("simulated:parallel", "relaxed");
   const TemporaryFolder folder;
