@@ -44,6 +44,11 @@ TEST(InterfaceDrivers, ANameThatIsNoneIsAnsweredWithThoseThatAre) {
               ThrowsMessage<InterfaceError>(AllOf(HasSubstr("'falcon'"), HasSubstr("spidar-g6"))));
 }
 
+TEST(InterfaceDrivers, ASimulatedSpidarIsForExperiments) {
+  EXPECT_THAT([] { static_cast<void>(find_interface_driver("spidar-g6").open("x3r,simulated")); },
+              ThrowsMessage<InterfaceError>(HasSubstr("experiment NAME --interface spidar-g6:x3r,simulated.")));
+}
+
 TEST(InterfaceDrivers, OptionsFollowTheFirstColon) {
   EXPECT_EQ(parse_interface_name("force-dimension").driver, "force-dimension");
   EXPECT_EQ(parse_interface_name("force-dimension").options, "");
