@@ -6,6 +6,7 @@
 #include <apps/validators.hpp>
 #include <tegotae/device/guard_process.hpp>
 #include <tegotae/device/interface_drivers.hpp>
+#include <tegotae/device/interface_remarks.hpp>
 #include <tegotae/lab/experiment.hpp>
 #include <tegotae/lab/live_messages.hpp>
 #include <tegotae/lab/live_session.hpp>
@@ -94,6 +95,12 @@ HeldInterface hold_interface(const std::string& text) {
   return held;
 }
 
+void tell_remarks(HapticInterface* device) {
+  auto* told = dynamic_cast<InterfaceRemarks*>(device);
+  const std::string remarks = told != nullptr ? told->remarks() : "";
+  if (!remarks.empty()) log(NoticeLevel::kWarning, remarks);
+}
+
 void serve(const ServeOptions& options) {
   if (options.interface != "page" && !options.experiment.empty()) {
     throw UsageError("an experiment plays a motion of its own; give either --experiment or --interface, not both.");
@@ -108,6 +115,7 @@ void serve(const ServeOptions& options) {
     options.serving.announce(server, session.scene_name());
     session.run(interrupted());
   });
+  tell_remarks(held.device.get());
 }
 
 }  // namespace

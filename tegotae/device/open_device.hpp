@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace tegotae {
 
@@ -30,6 +31,8 @@ class OpenDevice {
   /// finite is displayed as zero.
   virtual DeviceAnswer read(double time, InterfaceState& state) noexcept = 0;
   virtual DeviceAnswer write(const InterfaceCommand& command) noexcept = 0;
+  /// As in InterfaceRemarks.
+  virtual std::string remarks() { return {}; }
 };
 
 /// Opens a device. Throws InterfaceError where that cannot be done. May take seconds.

@@ -280,6 +280,24 @@ DeviceAnswer OpenHapticsDevice::write(const InterfaceCommand& command) noexcept 
   return servo_->has_ended() ? DeviceAnswer::kFailed : DeviceAnswer::kOk;
 }
 
+std::string OpenHapticsDevice::remarks() {
+  const OpenHapticsCounts& n = counts();
+  std::string text;
+  const auto count = [&text](const char* what, std::uint64_t times) {
+    if (times > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", what, times);
+  };
+  count("motors warm", n.warm_motors);
+  count("force beyond the greatest", n.exceeded_force);
+  count("impulse beyond the greatest", n.exceeded_impulse);
+  count("velocity beyond the greatest", n.exceeded_velocity);
+  count("force error", n.force_errors);
+  count("frames that failed", n.failed_frames);
+  count("commands taken back as no other came", n.withheld);
+  if (text.empty()) return text;
+  if (n.failed_frames > 0) text += fmt::format(" (last error {:#06x})", n.last_failure);
+  return fmt::format("{} told of: {}.", capability_.name, text);
+}
+
 std::string OpenHapticsDevice::model(const OpenHapticsLibrary& library, const OpenHapticsOptions& options) {
   const Claim claim;
   const Handle handle(library, options);

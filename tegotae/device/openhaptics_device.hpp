@@ -39,6 +39,9 @@ class OpenHapticsDevice final : public OpenDevice {
   DeviceAnswer read(double time, InterfaceState& state) noexcept override;
   DeviceAnswer write(const InterfaceCommand& command) noexcept override;
 
+  /// The counts that are not zero.
+  std::string remarks() override;
+
   /// As of the last reading.
   const OpenHapticsCounts& counts() noexcept { return servo_->samples().get().counts; }
 

@@ -42,6 +42,17 @@ InterfaceStatus ReconnectingInterface::write(const InterfaceCommand& command) no
   return device == nullptr ? InterfaceStatus::kLost : answered(device->write(command));
 }
 
+std::string ReconnectingInterface::remarks() {
+  std::string text;
+  if (reconnections() > 0) {
+    text = capability_.name + " was lost and opened again, times: " + std::to_string(reconnections()) + ".";
+  }
+  OpenDevice* device = connection_.device();
+  const std::string of_device = device == nullptr ? capability_.name + " is lost." : device->remarks();
+  if (text.empty() || of_device.empty()) return text + of_device;
+  return text + " " + of_device;
+}
+
 InterfaceStatus ReconnectingInterface::answered(DeviceAnswer answer) noexcept {
   refused_ = refused_ || answer == DeviceAnswer::kFailed;
   return answer == DeviceAnswer::kOk ? InterfaceStatus::kOk : InterfaceStatus::kLost;

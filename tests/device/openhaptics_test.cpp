@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/interface_remarks.hpp>
 #include <tegotae/device/openhaptics.hpp>
 #include <tegotae/device/openhaptics_device.hpp>
 #include <tegotae/runtime/periodic_timer.hpp>
@@ -167,6 +168,9 @@ TEST_F(OpenHapticsTest, IsOpenedAgainWhenItIsBackOnItsCable) {
     ASSERT_TRUE(ticks_until(*interface, 2.0, [&] { return displayed() == 2.0; }));
     EXPECT_EQ(state->opens, 1U + times);
   }
+  auto* told = dynamic_cast<InterfaceRemarks*>(interface.get());
+  ASSERT_NE(told, nullptr);
+  EXPECT_THAT(told->remarks(), HasSubstr("Touch was lost and opened again, times: 2."));
 }
 
 TEST_F(OpenHapticsTest, GoesOnWhereACallFailsNowAndThen) {
@@ -268,12 +272,20 @@ TEST_F(OpenHapticsTest, ReadingAndWritingNeitherAllocateNorLock) {
 
 TEST_F(OpenHapticsTest, CountsAreTold) {
   OpenHapticsDevice device(OpenHapticsLibrary(OpenHapticsLibrary::find()), {}, Calibrate::kYes);
-  state->error_once = hd::kWarmMotors;
   InterfaceState read;
+  EXPECT_EQ(device.remarks(), "");
+  state->error_once = hd::kWarmMotors;
   EXPECT_TRUE(comes_true([&] {
     device.read(0.0, read);
     return device.counts().warm_motors == 1U;
   }));
+  EXPECT_EQ(device.remarks(), "Touch told of: motors warm 1.");
+  state->error_once = 0x0302;
+  EXPECT_TRUE(comes_true([&] {
+    device.read(0.0, read);
+    return device.counts().failed_frames == 1U;
+  }));
+  EXPECT_EQ(device.remarks(), "Touch told of: motors warm 1, frames that failed 1 (last error 0x0302).");
 }
 
 TEST_F(OpenHapticsTest, ADriverThatWasKilledLeavesItsForceUntilSomebodySilencesIt) {
