@@ -42,7 +42,7 @@ InterfaceRequest interface_request(std::string_view interface, std::string_view 
 
 SessionSettings held_in_hand(const SessionSettings& settings, const InterfaceRequest& request, std::string& warning) {
   const InterfaceCapability rating = capability_in_hand(request.choice, request.hand, 1.0 / settings.haptic_rate);
-  const SessionSettings held = held_to_rating(settings, rating);
+  SessionSettings held = held_to_rating(settings, rating);
   std::string lowered;
   add_lowered(lowered, "a stiffness of", settings.stiffness, held.stiffness, "N/m");
   add_lowered(lowered, "a metric length of", settings.metric_length, held.metric_length, "m");

@@ -97,7 +97,7 @@ std::string rotation_table(const SpidarGeometry& geometry) {
 
 // What gnuplot reads best: the names in a comment, blanks between the values.
 std::string with_blanks(std::string csv) {
-  const size_t names = csv.find("\n", csv.rfind("#")) + 1;
+  const size_t names = csv.find('\n', csv.rfind('#')) + 1;
   csv.insert(names, "# ");
   std::replace(csv.begin(), csv.end(), ',', ' ');
   return csv;
