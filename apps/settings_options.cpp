@@ -26,6 +26,12 @@ double parse_metric_length(const std::string& text) {
                   text));
 }
 
+double parse_switch(const std::string& option, const std::string& text) {
+  if (text == "on" || text == "1") return 1.0;
+  if (text == "off" || text == "0") return 0.0;
+  throw UsageError(fmt::format("{} takes 'on' or 'off', not '{}'.", option, text));
+}
+
 ConstraintSet parse_constraint_set(const std::string& text) {
   for (const ConstraintSet set : {ConstraintSet::kPenetratingPoints, ConstraintSet::kNearPoints}) {
     if (text == name_of(set)) return set;
@@ -45,12 +51,24 @@ void SettingsOptions::add_numbers(CLI::App& command) {
     std::string name = fmt::format("--{}", setting.name);
     std::replace(name.begin(), name.end(), '_', '-');
     const std::string summary(setting.summary);
+    std::optional<double>& value = request.*setting.field;
+    if (setting.field == &SettingsRequest::beyond_rating) {
+      command.add_flag_callback(
+          name, [&value] { value = 1.0; }, summary);
+      continue;
+    }
+    if (setting.is_switch) {
+      const auto take = [&value, name](const std::string& text) { value = parse_switch(name, text); };
+      command.add_option_function<std::string>(name, take, setting.of_proxy ? summary + "; of 'proxy'" : summary)
+          ->type_name("on|off");
+      continue;
+    }
     if (setting.field == &SettingsRequest::metric_length) {
       command.add_option(name, metric_length, summary)->type_name("m|gyration");
       continue;
     }
     const std::string unit(setting.unit.empty() ? "NUMBER" : setting.unit);
-    command.add_option(name, request.*setting.field, setting.of_proxy ? summary + "; of 'proxy'" : summary)
+    command.add_option(name, value, setting.of_proxy ? summary + "; of 'proxy'" : summary)
         ->type_name(unit)
         ->check(number_in(setting.unit.empty() ? "" : unit));
   }

@@ -11,6 +11,7 @@ PlaybackInterface::PlaybackInterface(Trajectory trajectory, const InterfaceCapab
 InterfaceCapability PlaybackInterface::default_capability() {
   InterfaceCapability capability;
   capability.name = "playback";
+  capability.in_hand = false;
   return capability;
 }
 

@@ -12,7 +12,7 @@ class PlaybackInterface : public HapticInterface {
  public:
   explicit PlaybackInterface(Trajectory trajectory, const InterfaceCapability& capability = default_capability());
 
-  /// Six degrees of freedom in and out, no limits of its own.
+  /// Six degrees of freedom in and out, no limits of its own, and no hand.
   static InterfaceCapability default_capability();
 
   InterfaceCapability capability() const override { return capability_; }

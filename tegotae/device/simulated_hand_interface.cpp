@@ -54,6 +54,12 @@ SimulatedHandInterface::SimulatedHandInterface(std::unique_ptr<IntendedMotion> i
   grip_.set_state({X_WG_start_, {}});
 }
 
+InterfaceCapability SimulatedHandInterface::capability() const {
+  InterfaceCapability capability = device_.capability;
+  capability.delay = device_.delay;
+  return capability;
+}
+
 void SimulatedHandInterface::restart(double time, const Pose& X_WG) noexcept {
   grip_.set_state({X_WG, {}});
   X_WH_ = X_WG;

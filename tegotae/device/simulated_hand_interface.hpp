@@ -43,7 +43,8 @@ class SimulatedHandInterface : public HapticInterface {
   SimulatedHandInterface(std::unique_ptr<IntendedMotion> intended, const SimulatedDevice& device,
                          const HandImpedance& hand, double substep = kSubstep);
 
-  InterfaceCapability capability() const override { return device_.capability; }
+  /// The device's, with its delay.
+  InterfaceCapability capability() const override;
 
   /// Integrates up to `time`. kLost, and nothing moves, where it is not finite or over a second after the last.
   InterfaceStatus read(double time, InterfaceState& state) noexcept override;

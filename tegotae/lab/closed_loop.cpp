@@ -9,7 +9,7 @@ namespace tegotae {
 
 SafetyLimits no_safety_limits(const SessionSettings& settings) {
   constexpr double kNever = 1e12;  // N/s, N m/s
-  SafetyLimits limits;
+  SafetyLimits limits = without_hand({});
   limits.period = 1.0 / settings.haptic_rate;
   limits.ramp_time = 0.0;
   limits.force_rate = limits.torque_rate = kNever;
@@ -21,12 +21,17 @@ SafetyLimits no_safety_limits(const SessionSettings& settings) {
 
 void run_closed_loop(const SceneGeometry& scene, const SessionSettings& settings, SimulatedHandInterface& interface,
                      double duration, const TickObserver& observer) {
+  run_closed_loop(scene, settings, no_safety_limits(settings), interface, duration, observer);
+}
+
+void run_closed_loop(const SceneGeometry& scene, const SessionSettings& settings, const SafetyLimits& limits,
+                     SimulatedHandInterface& interface, double duration, const TickObserver& observer) {
   StaticWorld world(scene);
   const Tool& tool = world.geometry().tool;
   const double period = 1.0 / settings.haptic_rate;
   RenderingMethod method = settings.make_method(world.geometry());
   PhysicsLoop physics(world, {1.0 / settings.physics_rate, settings.margin}, needs_of(method));
-  const auto haptics = std::make_unique<HapticTick>(std::move(method), tool, no_safety_limits(settings), period);
+  const auto haptics = std::make_unique<HapticTick>(std::move(method), tool, limits, period, settings.workspace);
   run_simulated(physics, *haptics, interface, period, duration, observer);
 }
 

@@ -7,7 +7,8 @@
 
 namespace tegotae {
 
-/// Safety limits that never act, so that what is measured is the method: no ramp, no rate limit, no saturation.
+/// Safety limits that never act, so that what is measured is the method: no ramp, no energy bound, no rate limit, no
+/// saturation.
 SafetyLimits no_safety_limits(const SessionSettings& settings);
 
 /// Renders `scene`, in which nothing but the tool moves, to a simulated hand that holds the tool, in simulated time
@@ -15,5 +16,9 @@ SafetyLimits no_safety_limits(const SessionSettings& settings);
 /// the method refuses the settings.
 void run_closed_loop(const SceneGeometry& scene, const SessionSettings& settings, SimulatedHandInterface& interface,
                      double duration, const TickObserver& observer);
+
+/// The same with the safety stage in action.
+void run_closed_loop(const SceneGeometry& scene, const SessionSettings& settings, const SafetyLimits& limits,
+                     SimulatedHandInterface& interface, double duration, const TickObserver& observer);
 
 }  // namespace tegotae

@@ -3,6 +3,7 @@
 #include <tegotae/lab/free_body_stiffness.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/live_messages.hpp>
+#include <tegotae/lab/numeric_setting.hpp>
 #include <tegotae/lab/scene_file.hpp>
 #include <tegotae/lab/scripted_motion.hpp>
 #include <tegotae/lab/session_messages.hpp>
@@ -18,14 +19,28 @@ namespace {
 
 // What a page cannot change: set when the program starts, or another name of the metric length.
 bool is_fixed(const ShownSetting& setting) {
+  const auto known = numeric_settings();
+  const auto same = [&setting](const NumericSetting& one) { return one.name == setting.name; };
+  const auto found = std::find_if(known.begin(), known.end(), same);
+  if (found != known.end() && found->of_interface) return true;
   return setting.name == "haptic_rate" || setting.name == "rotational_stiffness";
+}
+
+// The interface's ratings in the world's units; none where they are not applied.
+InterfaceCapability bounds_of(const InterfaceCapability& rated, const SessionSettings& settings) {
+  if (settings.beyond_rating) return {};
+  InterfaceCapability bounds = rated;
+  bounds.max_stiffness /= settings.workspace.felt_stiffness(1.0);
+  bounds.max_damping /= settings.workspace.felt_stiffness(1.0);
+  bounds.max_rotational_damping /= settings.workspace.felt_rotational_stiffness(1.0);
+  return bounds;
 }
 
 }  // namespace
 
 std::string live_settings_message(const LiveRun& run) {
   std::vector<ShownSetting> shown = shown_settings(run.settings());
-  const InterfaceCapability interface = run.interface();
+  const InterfaceCapability interface = bounds_of(run.interface(), run.settings());
   const CouplingLimits limits = coupling_limits_for_bodies(run.geometry(), run.settings().physics_rate);
   shown.erase(std::remove_if(shown.begin(), shown.end(), is_fixed), shown.end());
   for (ShownSetting& setting : shown) {

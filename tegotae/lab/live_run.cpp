@@ -62,7 +62,8 @@ LiveRun::LiveRun(const LiveScene& scene, const SettingsRequest& wanted, HapticIn
       warnings_(scene_warnings(*world_, scene.file)),
       physics_(*world_, {1.0 / settings_.physics_rate, settings_.margin}, needs_of(settings_.make_method(geometry()))),
       haptics_(settings_.make_method(geometry()), geometry().tool,
-               safety_limits_of(settings_, interface(), geometry().tool), 1.0 / settings_.haptic_rate) {
+               safety_limits_of(settings_, interface(), geometry().tool), 1.0 / settings_.haptic_rate,
+               settings_.workspace) {
   if (device_ != nullptr) {
     // Its time goes on where the run is paused, and then it is told zero.
     link_.interface_waits = false;
@@ -116,6 +117,9 @@ void LiveRun::set(std::string_view name, std::optional<double> value) {
   SettingsRequest next = request_;
   next.*setting.field = value ? value : of_scene_.*setting.field;
   if (value) check_range(setting, *value);
+  if (setting.of_interface) {
+    throw InputError(fmt::format("the {} is set when the program starts.", name));
+  }
   if (name == "haptic_rate") {
     throw InputError("the haptic rate is set when the program starts: --haptic-rate.");
   }

@@ -47,6 +47,24 @@ constexpr NumericSetting kSettings[] = {
      "1: the tool's own inertia is felt; default: the scene's, else 0"},
     {"transient", &Request::transient, 0.0, 1e4, "N s/m", false, true, false,
      "Amplitude of the short vibration at an impact, per speed of it; default: the scene's, else 0"},
+    {"translation_scale", &Request::translation_scale, 1e-3, 1e3, "", false, false, false,
+     "How many times as far as the grip the tool moves; default: 1", true},
+    {"rotation_scale", &Request::rotation_scale, 0.1, 10.0, "", false, false, false,
+     "How many times as far as the grip the tool turns; default: 1", true},
+    {"force_scale", &Request::force_scale, 1e-3, 1e3, "", false, false, false,
+     "N displayed for a newton of the world (torque follows, so that power is scaled by one number); default: 1", true},
+    {"clutch_button", &Request::clutch_button, 0.0, 31.0, "", false, false, false,
+     "Button of the interface, from 0, that lets the grip move without the tool while it is held down; default: none",
+     true, true},
+    {"dead_man_button", &Request::dead_man_button, 0.0, 31.0, "", false, false, false,
+     "Button of the interface, from 0, that must be held down for anything to be displayed; default: none", true, true},
+    {"energy_bound", &Request::energy_bound, 0.0, 1.0, "", false, false, true,
+     "Keeps what is displayed from giving the hand energy that it did not put in; default: on where a hand holds the "
+     "interface",
+     true},
+    {"beyond_rating", &Request::beyond_rating, 0.0, 1.0, "", false, false, true,
+     "Stiffness and damping may exceed what the interface is rated for; limits of force and torque hold all the same",
+     true},
 };
 
 std::string in_words(std::string_view name) {
@@ -63,6 +81,9 @@ void check_range(const NumericSetting& setting, double value) {
   const bool inside = value >= setting.least && value <= setting.most;
   if (setting.is_switch && value != 0.0 && value != 1.0) {
     throw InputError(fmt::format("the {} is 1 (on) or 0 (off), not {:g}.", in_words(setting.name), value));
+  }
+  if (setting.is_whole && inside && value != std::floor(value)) {
+    throw InputError(fmt::format("the {} is a whole number, not {:g}.", in_words(setting.name), value));
   }
   if (std::isfinite(value) && (inside || (setting.zero_too && value == 0.0))) return;
   const std::string unit = setting.unit.empty() ? "" : fmt::format(" {}", setting.unit);

@@ -9,8 +9,8 @@
 
 namespace tegotae {
 
-/// A number that a scene may set in <custom>, as "tegotae_" and its name, and a command line, as "--" and its name with
-/// dashes.
+/// A number that a command line may set, as "--" and its name with dashes, and most of them a scene in <custom>, as
+/// "tegotae_" and its name.
 struct NumericSetting {
   std::string_view name;  ///< "physics_rate"
   std::optional<double> SettingsRequest::*field;
@@ -20,6 +20,9 @@ struct NumericSetting {
   bool of_proxy;             ///< no other method has it
   bool is_switch;            ///< 0 or 1, nothing between
   std::string_view summary;  ///< for help texts
+  /// Of the interface and of who holds it: the command line sets it, neither a scene nor a page.
+  bool of_interface = false;
+  bool is_whole = false;  ///< a whole number
 };
 
 /// All of them.

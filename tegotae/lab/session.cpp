@@ -17,6 +17,7 @@ namespace {
 const NumericSetting& setting_in_scene(const std::string& name, const std::filesystem::path& file) {
   std::string known;
   for (const NumericSetting& setting : numeric_settings()) {
+    if (setting.of_interface) continue;
     if (setting.name == name) return setting;
     known += fmt::format("{}tegotae_{}", known.empty() ? "" : ", ", setting.name);
   }
@@ -56,9 +57,10 @@ Session::Session(std::unique_ptr<MujocoWorld> world, Trajectory motion, const Se
   truth_.time = -std::numeric_limits<double>::infinity();
   interface_ = std::move(interface);
   if (observed_ == nullptr) interface_ = std::make_unique<PlaybackInterface>(std::move(motion));
-  haptics_ = std::make_unique<HapticTick>(settings_.make_method(world_->geometry()), tool(),
-                                          safety_limits_of(settings_, interface_->capability(), tool()),
-                                          1.0 / settings_.haptic_rate);
+  haptics_ =
+      std::make_unique<HapticTick>(settings_.make_method(world_->geometry()), tool(),
+                                   with_short_ramp(safety_limits_of(settings_, interface_->capability(), tool())),
+                                   1.0 / settings_.haptic_rate, settings_.workspace);
 }
 
 Session::~Session() = default;
@@ -126,24 +128,37 @@ std::string Session::trouble() const { return trouble_of(world_->diagnostics());
 std::vector<std::string> Session::notes() const { return notes_of(settings_, tool()); }
 
 SafetyLimits safety_limits_of(const SessionSettings& settings, const InterfaceCapability& interface, const Tool& tool) {
+  const WorkspaceSettings& workspace = settings.workspace;
+  const double arm = tool.mass.centre_of_mass.norm();
   StrikeAllowance strike;
-  strike.grip_arm = tool.mass.centre_of_mass.norm();
-  SafetyLimits limits =
-      safety_limits(interface, settings.stiffness, settings.metric_length, 1.0 / settings.physics_rate, strike);
+  strike.grip_arm = workspace.felt_arm(arm);
+  SafetyLimits limits = safety_limits(interface, workspace.felt_stiffness(settings.stiffness),
+                                      workspace.felt_arm(settings.metric_length), 1.0 / settings.physics_rate, strike);
   limits.period = 1.0 / settings.haptic_rate;
+  limits.dead_man_button = settings.dead_man_button;
+  limits.energy_bound.on = limits.energy_bound.on && settings.energy_bound;
+  // A tool that weighs in the hand is never less than that.
+  const double weight = settings.tool_weight ? tool.mass.mass * settings.gravity.norm() : 0.0;
+  limits.ramp_below_force += workspace.force_scale * weight;
+  limits.ramp_below_torque += workspace.torque_scale() * arm * weight;
   return limits;
 }
 
 SessionSettings held_to_rating(SessionSettings settings, const InterfaceCapability& interface) {
-  settings.stiffness = std::min(settings.stiffness, interface.max_stiffness);
-  const double longest = std::sqrt(interface.max_rotational_stiffness / settings.stiffness);
+  if (settings.beyond_rating) return settings;
+  // What is felt of one N/m or N s/m, and of one N m/rad or N m s/rad.
+  const double felt = settings.workspace.felt_stiffness(1.0);
+  const double felt_turning = settings.workspace.felt_rotational_stiffness(1.0);
+  settings.stiffness = std::min(settings.stiffness, interface.max_stiffness / felt);
+  const double longest = std::sqrt(interface.max_rotational_stiffness / felt_turning / settings.stiffness);
   settings.metric_length = std::min(settings.metric_length, longest);
-  settings.damping = std::min(settings.damping, interface.max_damping);
+  settings.damping = std::min(settings.damping, interface.max_damping / felt);
   const double of_rotation =
       settings.rotational_damping.value_or(settings.damping * settings.metric_length * settings.metric_length);
-  if (of_rotation > interface.max_rotational_damping) settings.rotational_damping = interface.max_rotational_damping;
+  const double most = interface.max_rotational_damping / felt_turning;
+  if (of_rotation > most) settings.rotational_damping = most;
   // At an impact it is a damper, too.
-  settings.transient = std::min(settings.transient, interface.max_damping);
+  settings.transient = std::min(settings.transient, interface.max_damping / felt);
   return settings;
 }
 

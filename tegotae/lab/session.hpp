@@ -83,8 +83,8 @@ class Session {
 /// Limits of the safety stage for a session on an interface.
 SafetyLimits safety_limits_of(const SessionSettings& settings, const InterfaceCapability& interface, const Tool& tool);
 
-/// The settings with stiffness, and then metric length, damping and transient no greater than the interface is rated
-/// for.
+/// The settings with stiffness, and then metric length, damping and transient, as they are felt at the interface, no
+/// greater than it is rated for; unchanged where they say that ratings are not applied.
 SessionSettings held_to_rating(SessionSettings settings, const InterfaceCapability& interface);
 
 /// What identifies a session, a line each, for the head of files.

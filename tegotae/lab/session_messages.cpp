@@ -36,6 +36,13 @@ SettingsRequest values_of(const SessionSettings& settings) {
   values.tool_weight = settings.tool_weight ? 1.0 : 0.0;
   values.tool_inertia = settings.tool_inertia ? 1.0 : 0.0;
   values.transient = settings.transient;
+  values.translation_scale = settings.workspace.translation_scale;
+  values.rotation_scale = settings.workspace.rotation_scale;
+  values.force_scale = settings.workspace.force_scale;
+  if (settings.workspace.clutch_button >= 0) values.clutch_button = settings.workspace.clutch_button;
+  if (settings.dead_man_button >= 0) values.dead_man_button = settings.dead_man_button;
+  values.energy_bound = settings.energy_bound ? 1.0 : 0.0;
+  values.beyond_rating = settings.beyond_rating ? 1.0 : 0.0;
   return values;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tegotae {
 namespace {
@@ -29,6 +30,33 @@ double decided_metric_length(const SettingsRequest& request, const SessionSettin
   if (request.rotational_stiffness) return std::sqrt(*request.rotational_stiffness / settings.stiffness);
   const double length = request.metric_length.value_or(default_metric_length(settings.method, tool));
   return length == 0.0 ? tool.mass.gyration_length() : length;
+}
+
+void decide_interface(const SettingsRequest& request, SessionSettings& settings) {
+  WorkspaceSettings& workspace = settings.workspace;
+  workspace.translation_scale = request.translation_scale.value_or(workspace.translation_scale);
+  workspace.rotation_scale = request.rotation_scale.value_or(workspace.rotation_scale);
+  workspace.force_scale = request.force_scale.value_or(workspace.force_scale);
+  workspace.clutch_button = static_cast<int>(request.clutch_button.value_or(workspace.clutch_button));
+  settings.dead_man_button = static_cast<int>(request.dead_man_button.value_or(settings.dead_man_button));
+  settings.energy_bound = request.energy_bound.value_or(1.0) != 0.0;
+  settings.beyond_rating = request.beyond_rating.value_or(0.0) != 0.0;
+}
+
+std::vector<std::string> interface_lines(const SessionSettings& settings) {
+  const WorkspaceSettings& workspace = settings.workspace;
+  std::vector<std::string> lines;
+  const auto add_scale = [&lines](const char* name, double scale) {
+    if (scale != 1.0) lines.push_back(fmt::format("{} scale: {}", name, scale));
+  };
+  add_scale("translation", workspace.translation_scale);
+  add_scale("rotation", workspace.rotation_scale);
+  add_scale("force", workspace.force_scale);
+  if (workspace.clutch_button >= 0) lines.push_back(fmt::format("clutch button: {}", workspace.clutch_button));
+  if (settings.dead_man_button >= 0) lines.push_back(fmt::format("dead-man button: {}", settings.dead_man_button));
+  if (!settings.energy_bound) lines.emplace_back("energy bound: off");
+  if (settings.beyond_rating) lines.emplace_back("interface's ratings: not applied");
+  return lines;
 }
 
 }  // namespace
@@ -90,6 +118,7 @@ SessionSettings decide_settings(const SettingsRequest& request, const Tool& tool
   settings.tool_weight = request.tool_weight.value_or(0.0) != 0.0;
   settings.tool_inertia = request.tool_inertia.value_or(0.0) != 0.0;
   settings.transient = request.transient.value_or(settings.transient);
+  decide_interface(request, settings);
   if (settings.physics_rate > settings.haptic_rate) {
     throw InputError(
         fmt::format("the physics rate of {:g} Hz is above the haptic rate of {:g} Hz; lower the one or "
@@ -138,6 +167,7 @@ std::vector<std::string> SessionSettings::lines() const {
     if (transient > 0.0) all.push_back(fmt::format("contact transient: {} N s/m", transient));
   }
   if (has_constraint_set(method)) all.push_back(fmt::format("constraint set: {}", name_of(constraint_set)));
+  for (std::string& line : interface_lines(*this)) all.push_back(std::move(line));
   return all;
 }
 

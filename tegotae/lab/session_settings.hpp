@@ -3,6 +3,7 @@
 
 #include <tegotae/model/scene_geometry.hpp>
 #include <tegotae/render/rendering_method.hpp>
+#include <tegotae/runtime/workspace_mapping.hpp>
 
 #include <optional>
 #include <string>
@@ -35,6 +36,12 @@ struct SettingsRequest {
   std::optional<double> tool_inertia;      ///< 1: the tool's own inertia is felt; 0: not
   std::optional<double> transient;         ///< N s/m, amplitude of the contact transient; 0: none
 
+  // Of the interface and of who holds it: no scene sets them.
+  std::optional<double> translation_scale, rotation_scale, force_scale;  ///< see WorkspaceSettings
+  std::optional<double> clutch_button, dead_man_button;                  ///< from 0
+  std::optional<double> energy_bound;                                    ///< 1: on; 0: off
+  std::optional<double> beyond_rating;  ///< 1: the interface's ratings of stiffness and damping are not applied
+
   /// This request, with what it leaves open taken from `other`.
   SettingsRequest or_else(const SettingsRequest& other) const;
 };
@@ -58,6 +65,10 @@ struct SessionSettings {
   bool tool_weight = false;
   bool tool_inertia = false;
   double transient = 0.0;            ///< N s/m
+  WorkspaceSettings workspace;       ///< how the interface's workspace lies in the world
+  int dead_man_button = -1;          ///< that must be held down; negative: none
+  bool energy_bound = true;          ///< where a hand holds the interface
+  bool beyond_rating = false;        ///< what the interface is rated for does not bound stiffness and damping
   Vector3 gravity{0.0, 0.0, -9.81};  ///< m/s^2, of the scene: the tool's weight
 
   RenderingMethod make_method(const SceneGeometry& geometry) const;

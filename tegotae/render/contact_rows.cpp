@@ -12,6 +12,7 @@ bool begin_render(const RenderInput& input, RenderOutput& output) noexcept {
   output.X_WP = input.X_WT;
   output.constraint_count = output.active_count = output.solver_iterations = 0;
   output.deepest = 0.0;
+  output.pushing_out = false;
   output.status = input.model.sequence == 0 ? RenderStatus::kNoModel : RenderStatus::kOk;
   if (!input.X_WT.is_finite()) output.status = RenderStatus::kInvalidInput;
   return output.status == RenderStatus::kOk;

@@ -67,6 +67,7 @@ void ProxyMethod::render(const RenderInput& input, RenderOutput& output) noexcep
   output.constraint_count = output.active_count = output.solver_iterations = 0;
   output.linearisations = output.skipped_pairs = 0;
   output.deepest = 0.0;
+  output.pushing_out = false;
   if (!admit(input, output)) return;
 
   tracker_.take(input.model, X_WP_);
@@ -177,6 +178,7 @@ Vector6 ProxyMethod::solve(const RenderInput& input, const Vector3& p_WCm, Rende
   const double way = way_of(push);
   const double share = way > push_out_ ? push_out_ / way : 1.0;
   push_out_ -= share * way;
+  output.pushing_out = share < 1.0;
   if (share == 1.0) return solve_filled(input, p_WCm, true, output);
   return no_deeper + share * push;
 }

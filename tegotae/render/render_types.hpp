@@ -38,6 +38,9 @@ struct RenderOutput {
   int linearisations = 0;  ///< of methods that refresh contacts within a tick
   int skipped_pairs = 0;   ///< pairs, points and rows that capacities or the budget of a tick left out
   double deepest = 0.0;    ///< greatest penetration of a contact point at the interface's pose, m
+  /// The tool is inside something and being brought out, as far as the bound on its speed lets it in a tick: the wrench
+  /// grows without the hand's doing. Of methods that do so.
+  bool pushing_out = false;
   RenderStatus status = RenderStatus::kOk;
 };
 

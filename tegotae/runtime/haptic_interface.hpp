@@ -24,11 +24,16 @@ struct InterfaceCapability {
   double max_rotational_damping = std::numeric_limits<double>::infinity();    ///< N m s/rad, as rated
   double rate = 1000.0;                                                       ///< Hz, of its servo loop
   double encoder_step = 0.0;                                                  ///< m at the grip; 0: not quantised
+  double delay = 0.0;  ///< s, from writing a command to its being displayed, as far as it is known
+  /// A hand holds it and feels what is commanded. False: a motion is played, whatever is displayed.
+  bool in_hand = true;
 };
 
 /// What an interface reports: pose of the grip and so of the tool's frame.
 struct InterfaceState {
-  double time = 0.0;  ///< s
+  /// s on the loop's clock, when the pose was measured. A driver that learns from its device when that was sets it, so
+  /// that a pose that stands still is told from a hand that does; the others leave the time that they were asked for.
+  double time = 0.0;
   Pose X_WT;
   Twist V_WT;  ///< of the tool frame's origin, world axes
   std::uint32_t buttons = 0;

@@ -13,14 +13,24 @@ std::span<const NearBody> bodies_near(const IntermediateRepresentation& model) n
   return {model.bodies.data(), static_cast<size_t>(model.body_count)};
 }
 
+bool is_down(std::uint32_t buttons, int button) noexcept {
+  return button >= 0 && button < 32 && ((buttons >> static_cast<unsigned>(button)) & 1U) != 0;
+}
+
 }  // namespace
 
-HapticTick::HapticTick(RenderingMethod method, const Tool& tool, const SafetyLimits& limits, double period)
+HapticTick::HapticTick(RenderingMethod method, const Tool& tool, const SafetyLimits& limits, double period,
+                       const WorkspaceSettings& workspace)
     : method_(std::make_unique<RenderingMethod>(std::move(method))),
       p_TCm_(tool.mass.centre_of_mass),
       limits_(limits),
       length_(tool.mass.gyration_length()),
       period_(period),
+      mapping_(workspace, tool.X_WT),
+      based_(!workspace.from_first_pose),
+      X_D_(tool.X_WT),
+      X_WT_felt_(tool.X_WT),
+      known_from_(-std::numeric_limits<double>::infinity()),
       dt_(period) {
   state_.X_WT = tool.X_WT;
   rendered_.X_WP = tool.X_WT;
@@ -29,21 +39,22 @@ HapticTick::HapticTick(RenderingMethod method, const Tool& tool, const SafetyLim
 InterfaceCommand HapticTick::operator()(const InterfaceState& state, const IntermediateRepresentation* fresh,
                                         const Circumstances& circumstances, TickRecord& record) noexcept {
   dt_ = elapsed_until(state.time);
-  state_ = held(state, circumstances.interface_lost);
+  hold_tool(state, circumstances);
   const IntermediateRepresentation& model = model_at(state_.time, fresh);
   model_ = &model;
+  if (model.time >= known_from_) X_WT_felt_ = state_.X_WT;
 
-  const Vector3 p_WCm = state_.X_WT * p_TCm_;
-  const Vector3 arm = p_WCm - state_.X_WT.p;
-  render(*method_, {model, state_.X_WT, dt_}, rendered_);
+  const Vector3 p_WCm = X_WT_felt_ * p_TCm_;
+  const Vector3 arm = p_WCm - X_WT_felt_.p;
+  render(*method_, {model, X_WT_felt_, dt_}, rendered_);
   yield_to_receding(bodies_near(model), {state_.V_WT.at(arm), state_.V_WT.angular}, p_WCm, rendered_);
   if (!pose_valid_) {
     rendered_.wrench = {};
     rendered_.status = RenderStatus::kInvalidInput;
   }
 
-  const SafetyOutput safe = limit(model, state_.time, arm, circumstances);
-  const Wrench displayed = safe.displayed.shifted(-arm);  // about the centre of mass
+  const SafetyOutput safe = limit(model, state, arm, circumstances);
+  const Wrench displayed = mapping_.to_world(safe.displayed).shifted(-arm);  // about the centre of mass
   push_bodies(model, displayed, p_WCm);
 
   record.safety_events = safe.events;
@@ -61,20 +72,36 @@ double HapticTick::elapsed_until(double time) noexcept {
   return since > 1.5 * period_ ? std::min(since, kLongest) : period_;
 }
 
-// A pose that is not finite, or an interface that is lost: the hand is where it was last seen, and nothing is
-// displayed.
-InterfaceState HapticTick::held(const InterfaceState& state, bool interface_lost) noexcept {
-  InterfaceState result = state_;
-  result.time = state.time;
-  pose_valid_ =
-      state.X_WT.is_finite() && state.V_WT.is_finite() && state.X_WT.q.squaredNorm() > 0.25 && !interface_lost;
-  if (!pose_valid_) {
-    result.V_WT = {};
-    return result;
-  }
-  result = state;
-  result.X_WT.q.normalize();
-  return result;
+ToolState HapticTick::begin(const InterfaceState& state, bool interface_lost) noexcept {
+  Circumstances circumstances;
+  circumstances.interface_lost = interface_lost;
+  hold_tool(state, circumstances);
+  return {state_.X_WT, state_.V_WT};
+}
+
+// Without a pose, or with an interface that is lost, the tool stays where it was last. Where the pose is elsewhere
+// afterwards the method is not told before a model has come that was made there, so that the proxy passes through
+// nothing on its way.
+void HapticTick::hold_tool(const InterfaceState& state, const Circumstances& circumstances) noexcept {
+  state_.time = state.time;
+  state_.V_WT = {};
+  moved_.setZero();
+  clutched_ = circumstances.clutched || is_down(state.buttons, mapping_.settings().clutch_button);
+  if (circumstances.interface_lost) guard_.lose();
+  const PoseVerdict verdict = circumstances.interface_lost
+                                  ? PoseVerdict::kFault
+                                  : guard_.judge({limits_.max_speed, limits_.max_turning_speed}, state, dt_);
+  pose_valid_ = verdict != PoseVerdict::kFault;
+  if (!pose_valid_) return;
+
+  InterfaceState grip = state;
+  grip.X_WT.q.normalize();
+  if (!based_) mapping_.rebase(grip.X_WT, state_.X_WT);
+  if (verdict == PoseVerdict::kMoved) known_from_ = state.time;
+  if (verdict == PoseVerdict::kGood && based_) moved_ = displacement(X_D_, grip.X_WT, Vector3::Zero());
+  based_ = true;
+  X_D_ = grip.X_WT;
+  state_ = mapping_.to_world(grip, clutched_);
 }
 
 // Between two models the contact state is taken to change linearly, over the period of the newest; for a method that
@@ -88,15 +115,42 @@ const IntermediateRepresentation& HapticTick::model_at(double time, const Interm
   return interpolator_.at(period > 0.0 ? (time - model_arrival_) / period : 1.0);
 }
 
-SafetyOutput HapticTick::limit(const IntermediateRepresentation& model, double time, const Vector3& arm,
+SafetyOutput HapticTick::limit(const IntermediateRepresentation& model, const InterfaceState& state, const Vector3& arm,
                                const Circumstances& circumstances) noexcept {
   SafetyInput input;
-  input.target = rendered_.wrench.shifted(arm);  // about the grip
+  input.target = mapping_.to_device(rendered_.wrench.shifted(arm));  // about the grip
   input.elapsed = dt_;
-  input.model_age = model.sequence > 0 ? time - model.time : std::numeric_limits<double>::infinity();
+  input.model_age = model.sequence > 0 ? state_.time - model.time : std::numeric_limits<double>::infinity();
+  input.pose_age = circumstances.pose_age;
+  input.pushing_out = rendered_.pushing_out;
+  input.pose_fault = !pose_valid_ || model.time < known_from_;
+  input.clutched = clutched_;
+  input.enabled = limits_.dead_man_button < 0 || is_down(state.buttons, limits_.dead_man_button);
   input.interface_lost = circumstances.interface_lost;
   input.ending = circumstances.ending;
+  input.moved = moved_;
+  measure_spring(input);
   return apply_safety(limits_, safety_, input);
+}
+
+// How far the coupling between hand and tool is stretched, as felt. A method whose tool is simply where the hand holds
+// it has springs elsewhere: then what one coupling of the same wrench would be.
+void HapticTick::measure_spring(SafetyInput& input) noexcept {
+  const WorkspaceSettings& scales = mapping_.settings();
+  const Vector6 e = displacement(X_WT_felt_, rendered_.X_WP, p_TCm_);
+  input.stretch = e.head<3>().norm() / scales.translation_scale;
+  input.turn = e.tail<3>().norm() / scales.rotation_scale;
+  Vector6 offset = displacement(rendered_.X_WP, X_WT_felt_, Vector3::Zero());
+  offset.head<3>() /= scales.translation_scale;
+  offset.tail<3>() /= scales.rotation_scale;
+  input.stretched = offset - offset_;
+  offset_ = offset;
+  if (input.stretch != 0.0 || input.turn != 0.0) return;
+  input.stretched = input.moved;
+  const Wrench felt = mapping_.to_device(rendered_.wrench);
+  const double stiffness = limits_.energy_bound.stiffness, length = limits_.energy_bound.metric_length;
+  input.stretch = felt.force.norm() / stiffness;
+  input.turn = felt.torque.norm() / (stiffness * length * length);
 }
 
 void HapticTick::push_bodies(const IntermediateRepresentation& model, const Wrench& displayed,
@@ -129,13 +183,14 @@ void HapticTick::write(const IntermediateRepresentation& model, const Wrench& di
 
 void HapticTick::adopt(HapticUpdate& update) noexcept {
   limits_ = update.limits;
-  if (!adopt_or_start(*method_, *update.method, rendered_.X_WP, state_.X_WT)) std::swap(method_, update.method);
+  safety_.calm_for = limits_.calm_time;
+  if (!adopt_or_start(*method_, *update.method, rendered_.X_WP, X_WT_felt_)) std::swap(method_, update.method);
 }
 
 void HapticTick::view(ContactView& view) const noexcept {
   view.clear();
   if (model_ == nullptr) return;
-  view_contacts(*method_, {*model_, state_.X_WT, dt_}, rendered_, view);
+  view_contacts(*method_, {*model_, X_WT_felt_, dt_}, rendered_, view);
   view.time = state_.time;
 }
 

@@ -40,6 +40,8 @@ struct Run {
   std::atomic<bool> ending{false};
   std::atomic<bool> haptics_done{false};
   std::atomic<bool> physics_failed{false};
+  std::exception_ptr haptics_failed;               ///< of the haptic thread; read once it has ended
+  bool zero_said = false;                          ///< the haptic thread's last command was its own zero; likewise
   std::atomic<int> rights_known{0};                ///< threads whose rights stand in the report
   InterfaceStatus written = InterfaceStatus::kOk;  ///< the haptic thread's: how the last command fared
   RealtimeReport report;
@@ -100,8 +102,10 @@ void guarded_physics_thread(Run& run) noexcept {
     physics_thread(run);
   } catch (const std::exception& error) {
     run.report.physics_error = error.what();
-    run.physics_failed.store(true, std::memory_order_release);
+  } catch (...) {
+    run.report.physics_error = "the physics threw what is no std::exception";
   }
+  if (!run.report.physics_error.empty()) run.physics_failed.store(true, std::memory_order_release);
 }
 
 // One period of the haptic thread: the interface is read and commanded here, outside the tick.
@@ -110,12 +114,17 @@ void haptic_period(Run& run, const PeriodicTimer& timer, std::uint64_t missed, b
   const double began = run.now();
 
   InterfaceState state;
-  const bool lost = run.interface.read(began, state) != InterfaceStatus::kOk || run.written != InterfaceStatus::kOk;
+  state.time = began;
+  HapticTick::Circumstances circumstances;
+  circumstances.interface_lost =
+      run.interface.read(began, state) != InterfaceStatus::kOk || run.written != InterfaceStatus::kOk;
+  circumstances.ending = ending;
+  circumstances.pose_age = began - state.time;
   state.time = began;
   const IntermediateRepresentation* fresh = run.models.update() ? &run.models.get() : nullptr;
   TickRecord record;
   const double tick_began = run.now();
-  const InterfaceCommand command = run.haptics(state, fresh, {lost, ending}, record);
+  const InterfaceCommand command = run.haptics(state, fresh, circumstances, record);
   const double duration = run.now() - tick_began;
   run.written = run.interface.write(command);
 
@@ -181,6 +190,16 @@ void haptic_thread(Run& run, double period) {
     haptic_period(run, timer, static_cast<std::uint64_t>(timer.wait()), false);
   }
   haptic_period(run, timer, static_cast<std::uint64_t>(timer.wait()), true);  // the last command: zero
+  run.zero_said = run.written == InterfaceStatus::kOk;
+}
+
+void guarded_haptic_thread(Run& run, double period) noexcept {
+  try {
+    haptic_thread(run, period);
+  } catch (...) {
+    run.haptics_failed = std::current_exception();
+    run.interface.write({});
+  }
   run.haptics_done.store(true, std::memory_order_release);
 }
 
@@ -228,16 +247,32 @@ class Threads {
   Run& run_;
 };
 
+// Says zero to the interface when the scope is left, however it is left, where the haptic thread has not.
+class LastCommand {
+ public:
+  explicit LastCommand(Run& run) : run_(run) {}
+  LastCommand(const LastCommand&) = delete;
+  LastCommand& operator=(const LastCommand&) = delete;
+  ~LastCommand() {
+    if (!run_.zero_said) run_.interface.write({});
+  }
+
+ private:
+  Run& run_;
+};
+
 // The first model and the first message, so that neither thread starts from nothing.
 void prime(Run& run) {
   InterfaceState state;
-  run.interface.read(0.0, state);
-  run.physics.build(0.0, {state.X_WT, state.V_WT}, run.models.begin_write());
+  const bool lost = run.interface.read(0.0, state) != InterfaceStatus::kOk;
+  const ToolState tool = run.haptics.begin(state, lost);
+  run.physics.build(0.0, tool, run.models.begin_write());
   run.models.publish();
   ImpulseSums& message = run.messages.begin_write();
   message = {};
-  message.X_WT = state.X_WT;
-  message.V_WT = state.V_WT;
+  message.X_WT = tool.X_WT;
+  message.V_WT = tool.V_WT;
+  message.X_WP = tool.X_WP;
   run.messages.publish();
 }
 
@@ -248,14 +283,18 @@ RealtimeReport run_realtime(PhysicsLoop& physics, HapticTick& haptics, HapticInt
                             const RealtimeObserver& observer, LiveLink* live) {
   const auto run = std::make_unique<Run>(physics, haptics, interface, live);
   run->start = monotonic_nanoseconds();
-  prime(*run);
   {
+    // Left in the other order: the threads end first.
+    const LastCommand last_command(*run);
     Threads threads(*run);
+    prime(*run);
     run->start = monotonic_nanoseconds();
-    threads.haptics = std::thread([&run, haptic_period_seconds] { haptic_thread(*run, haptic_period_seconds); });
+    threads.haptics =
+        std::thread([&run, haptic_period_seconds] { guarded_haptic_thread(*run, haptic_period_seconds); });
     threads.physics = std::thread([&run] { guarded_physics_thread(*run); });
     observe(*run, duration, stop, observer);
   }
+  if (run->haptics_failed != nullptr) std::rethrow_exception(run->haptics_failed);
   run->report.dropped_records = run->records.dropped();
   return run->report;
 }

@@ -31,8 +31,10 @@ using RealtimeObserver = std::function<bool(const TickRecord&)>;
 /// them), for `duration` (s), or until `stop` becomes true (from any thread or a signal handler) or the observer says
 /// so. Models and impulses cross by wait-free latest-value exchange; a model becomes visible as soon as it is made. The
 /// first one is made before the haptic thread starts. The last command to the interface is zero, whatever ended the
-/// run. With `live` the run can be watched and steered; a world that throws then ends it. Throws std::system_error if a
-/// thread cannot be started.
+/// run: its time, `stop`, the observer, or an exception of the observer, of the link's callbacks, of the first model or
+/// of a thread that cannot be started (std::system_error), each of which is thrown on once zero has been said. A zero
+/// that the interface did not take is said again. With `live` the run can be watched and steered; a world that throws
+/// then ends it.
 RealtimeReport run_realtime(PhysicsLoop& physics, HapticTick& haptics, HapticInterface& interface, double haptic_period,
                             double duration, const std::atomic<bool>& stop, const RealtimeObserver& observer,
                             LiveLink* live = nullptr);

@@ -29,8 +29,70 @@ double counted_time(const SafetyLimits& limits, double elapsed) noexcept {
   return elapsed > 0.0 ? std::min(elapsed, limits.period) : 0.0;
 }
 
-Wrench ramped(const SafetyLimits& limits, SafetyState& state, double dt, const Wrench& target,
-              SafetyOutput& output) noexcept {
+// What keeps the wrench from the hand, at this call.
+struct Alarms {
+  bool stop;    // at once, for the interface is lost or the program ends
+  bool fault;   // at once, for there is no pose to render
+  bool hold;    // fade, and go on from there: physics late, or too many ticks missed
+  bool let_go;  // fade, and then begin again: pose too old, clutch, dead-man button
+
+  bool any() const noexcept { return stop || fault || hold || let_go; }
+};
+
+bool missed_too_many(const SafetyLimits& limits, SafetyState& state, double elapsed, SafetyOutput& output) noexcept {
+  constexpr double kJitter = 0.5;  // periods
+  const double missed = elapsed / limits.period - 1.0;
+  if (missed > static_cast<double>(limits.max_missed_ticks) + kJitter) state.overrun = true;
+  if (missed > kJitter || state.overrun) note(output, SafetyEvent::kTickLate);
+  return state.overrun;
+}
+
+Alarms alarms_of(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input,
+                 SafetyOutput& output) noexcept {
+  const auto noted = [&output](bool is_so, SafetyEvent event) {
+    if (is_so) note(output, event);
+    return is_so;
+  };
+  Alarms alarms{};
+  alarms.stop = noted(input.interface_lost || input.ending, SafetyEvent::kStopped);
+  const bool pose_late = !(input.pose_age <= limits.max_pose_age);
+  alarms.fault = input.pose_fault;
+  noted(input.pose_fault || pose_late, SafetyEvent::kPoseFault);
+  alarms.hold = noted(!(input.model_age <= limits.max_model_age), SafetyEvent::kPhysicsLate);
+  alarms.hold |= missed_too_many(limits, state, input.elapsed, output);
+  alarms.let_go = pose_late;
+  alarms.let_go |= noted(input.clutched, SafetyEvent::kClutched);
+  alarms.let_go |= noted(!input.enabled, SafetyEvent::kDeadMan);
+  return alarms;
+}
+
+void restart_ramp(SafetyState& state) noexcept {
+  state.ramp = 0.0;
+  state.waiting = true;
+  state.pushing_out = state.let_go = state.overrun = false;
+  state.fading_for = 0.0;
+}
+
+// Whether the ramp may begin: the target is small and the tool outside of things, or it has just come out.
+bool ramp_begins(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input,
+                 const Wrench& target) noexcept {
+  const bool came_out = state.pushing_out && !input.pushing_out;
+  state.pushing_out = input.pushing_out;
+  if (std::isinf(limits.ramp_below_force)) return true;
+  if (input.pushing_out) return false;
+  return came_out ||
+         (target.force.norm() <= limits.ramp_below_force && target.torque.norm() <= limits.ramp_below_torque);
+}
+
+Wrench ramped(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input, const Alarms& alarms, double dt,
+              SafetyOutput& output, const Wrench& target) noexcept {
+  // A state that was overwritten begins again.
+  if (!(state.ramp >= 0.0 && state.ramp <= 1.0)) restart_ramp(state);
+  if (state.waiting && (alarms.any() || !ramp_begins(limits, state, input, target))) {
+    note(output, SafetyEvent::kWaiting);
+    return {};
+  }
+  state.waiting = false;
   const double step = limits.ramp_time > 0.0 ? dt / limits.ramp_time : 1.0;
   state.ramp = std::min(state.ramp + step, 1.0);
   if (state.ramp == 1.0) return target;
@@ -38,10 +100,33 @@ Wrench ramped(const SafetyLimits& limits, SafetyState& state, double dt, const W
   return target * state.ramp;
 }
 
-Wrench rate_limited(const SafetyLimits& limits, const SafetyState& state, double dt, const Wrench& target,
+Wrench energy_bounded(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input, double dt,
+                      const Wrench& target, SafetyOutput& output) noexcept {
+  EnergyBoundInput energy;
+  energy.moved = input.moved;
+  energy.stretched = input.stretched;
+  energy.target = target;
+  energy.stretch = input.stretch;
+  energy.turn = input.turn;
+  energy.part = state.waiting ? 0.0 : state.ramp;
+  energy.max_force = limits.max_force;
+  energy.max_torque = limits.max_torque;
+  energy.dt = dt;
+  Wrench result = state.energy.apply(limits.energy_bound, energy, state.displayed);
+  if (state.energy.damping() > 0.0) note(output, SafetyEvent::kEnergyBounded);
+  return result;
+}
+
+Wrench rate_limited(const SafetyLimits& limits, SafetyState& state, double dt, const Wrench& target,
                     SafetyOutput& output) noexcept {
-  Wrench result{growth_limited(target.force, state.displayed.force, limits.force_rate * dt),
-                growth_limited(target.torque, state.displayed.torque, limits.torque_rate * dt)};
+  double force_rate = limits.force_rate, torque_rate = limits.torque_rate;
+  if (state.calm_for > 0.0 && limits.calm_time > 0.0) {
+    force_rate = std::min(force_rate, limits.max_force / limits.calm_time);
+    torque_rate = std::min(torque_rate, limits.max_torque / limits.calm_time);
+    state.calm_for -= dt;
+  }
+  Wrench result{growth_limited(target.force, state.displayed.force, force_rate * dt),
+                growth_limited(target.torque, state.displayed.torque, torque_rate * dt)};
   if (result.force != target.force || result.torque != target.torque) note(output, SafetyEvent::kRateLimited);
   return result;
 }
@@ -53,37 +138,42 @@ Wrench saturated_to(const SafetyLimits& limits, const Wrench& target, SafetyOutp
   return result;
 }
 
-Wrench stopped(SafetyState& state, SafetyOutput& output) noexcept {
-  note(output, SafetyEvent::kStopped);
-  state.ramp = 0.0;
-  state.late_for = 0.0;
+Wrench stopped(SafetyState& state) noexcept {
+  restart_ramp(state);
+  state.energy.reset();
   return {};
 }
 
-Wrench faded(const SafetyLimits& limits, SafetyState& state, double elapsed, const Wrench& target,
-             SafetyOutput& output) noexcept {
-  note(output, SafetyEvent::kPhysicsLate);
+Wrench faded(const SafetyLimits& limits, SafetyState& state, double elapsed, const Wrench& target) noexcept {
   const double last_force = state.displayed.force.norm(), last_torque = state.displayed.torque.norm();
-  if (state.late_for == 0.0) {
+  const bool begins = state.fading_for == 0.0;
+  if (begins) {
     state.fading_from_force = last_force;
     state.fading_from_torque = last_torque;
   }
-  // At least a period a call, so that the fade ends even if the clock stands still (or tells NaN).
-  state.late_for += elapsed > limits.period ? elapsed : limits.period;
-  const double left = 1.0 - state.late_for / limits.fade_time;
+  // At least a period a call, so that the fade ends even if the clock stands still (or tells NaN); no more than that in
+  // the first, so that what was held over missed ticks is not dropped.
+  state.fading_for += elapsed > limits.period && !begins ? elapsed : limits.period;
+  const double left = 1.0 - state.fading_for / limits.fade_time;
   const double fraction = left > kFadeRounding ? left : 0.0;
   state.ramp = std::min(state.ramp, fraction);
-  if (fraction == 0.0) return {};
+  if (fraction == 0.0) {
+    state.overrun = false;
+    return {};
+  }
   return {saturated(target.force, std::min(fraction * state.fading_from_force, last_force)),
           saturated(target.torque, std::min(fraction * state.fading_from_torque, last_torque))};
 }
 
-Wrench watched(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input, const Wrench& target,
-               SafetyOutput& output) noexcept {
-  if (input.interface_lost || input.ending) return stopped(state, output);
-  if (!(input.model_age <= limits.max_model_age)) return faded(limits, state, input.elapsed, target, output);
-  state.late_for = 0.0;
-  return target;
+Wrench watched(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input, const Alarms& alarms,
+               const Wrench& target) noexcept {
+  if (alarms.stop || alarms.fault) return stopped(state);
+  if (alarms.hold || alarms.let_go) {
+    state.let_go = state.let_go || alarms.let_go;
+    return faded(limits, state, input.elapsed, target);
+  }
+  state.fading_for = 0.0;
+  return state.let_go ? stopped(state) : target;
 }
 
 double displayed_ratio(const Wrench& target, const Wrench& displayed, double metric_length) noexcept {
@@ -114,6 +204,18 @@ const char* name_of(SafetyEvent event) noexcept {
       return "physics_late";
     case SafetyEvent::kStopped:
       return "stopped";
+    case SafetyEvent::kWaiting:
+      return "waiting";
+    case SafetyEvent::kEnergyBounded:
+      return "energy_bounded";
+    case SafetyEvent::kTickLate:
+      return "tick_late";
+    case SafetyEvent::kPoseFault:
+      return "pose_fault";
+    case SafetyEvent::kClutched:
+      return "clutched";
+    case SafetyEvent::kDeadMan:
+      return "dead_man";
   }
   return "unknown";
 }
@@ -121,13 +223,18 @@ const char* name_of(SafetyEvent event) noexcept {
 SafetyOutput apply_safety(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) noexcept {
   SafetyOutput output;
   const double dt = counted_time(limits, input.elapsed);
+  const Alarms alarms = alarms_of(limits, state, input, output);
   Wrench wrench = finite_checked(input.target, output);
-  wrench = ramped(limits, state, dt, wrench, output);
+  wrench = ramped(limits, state, input, alarms, dt, output, wrench);
+  wrench = energy_bounded(limits, state, input, dt, wrench, output);
   wrench = rate_limited(limits, state, dt, wrench, output);
   wrench = saturated_to(limits, wrench, output);
-  wrench = watched(limits, state, input, wrench, output);
+  wrench = watched(limits, state, input, alarms, wrench);
   // Holds even if limits or state were overwritten: no NaN leaves.
-  if (!is_wrench(wrench)) wrench = stopped(state, output);
+  if (!is_wrench(wrench)) {
+    note(output, SafetyEvent::kNotFinite);
+    wrench = stopped(state);
+  }
 
   output.displayed = wrench;
   output.ratio = displayed_ratio(input.target, wrench, limits.metric_length);

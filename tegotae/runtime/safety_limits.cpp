@@ -2,6 +2,7 @@
 #include <tegotae/runtime/safety_limits.hpp>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -26,7 +27,41 @@ double stated_limit(const char* name, double stated, double unknown) {
   return std::isfinite(stated) ? stated : unknown;
 }
 
+// Damping that a rating of `stiffness` at `rate` (Hz) vouches for: K T/2; none where nothing is rated.
+double vouched_damping(const char* name, double stiffness, double rate) {
+  if (!(stiffness >= 0.0)) refuse("not negative", name, stiffness);
+  return std::isfinite(stiffness) ? 0.5 * stiffness / rate : 0.0;
+}
+
+EnergyBoundSettings energy_bound_of(const InterfaceCapability& capability, double stiffness, double metric_length) {
+  EnergyBoundSettings settings;
+  settings.stiffness = stiffness;
+  settings.metric_length = metric_length;
+  if (!(capability.delay >= 0.0 && std::isfinite(capability.delay))) refuse("finite", "delay (s)", capability.delay);
+  settings.delay = capability.delay;
+  settings.own_damping = vouched_damping("rated stiffness (N/m)", capability.max_stiffness, capability.rate);
+  settings.own_rotational_damping =
+      vouched_damping("rated rotational stiffness (N m/rad)", capability.max_rotational_stiffness, capability.rate);
+  return settings;
+}
+
 }  // namespace
+
+SafetyLimits with_short_ramp(SafetyLimits limits) noexcept {
+  limits.ramp_time = 0.2;
+  limits.ramp_below_force = limits.ramp_below_torque = std::numeric_limits<double>::infinity();
+  return limits;
+}
+
+SafetyLimits without_hand(SafetyLimits limits) noexcept {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  limits = with_short_ramp(limits);
+  limits.energy_bound.on = false;
+  limits.calm_time = 0.0;
+  limits.max_speed = limits.max_turning_speed = kInfinite;
+  limits.max_missed_ticks = std::numeric_limits<int>::max();
+  return limits;
+}
 
 SafetyLimits safety_limits(const InterfaceCapability& capability, double stiffness, double metric_length,
                            double physics_period, const StrikeAllowance& strike) {
@@ -49,7 +84,8 @@ SafetyLimits safety_limits(const InterfaceCapability& capability, double stiffne
   limits.max_torque = stated_limit("maximum torque (N m)", capability.max_torque, limits.max_torque);
   limits.max_model_age = kModelPeriods * physics_period + kSchedulingAllowance;
   limits.metric_length = metric_length;
-  return limits;
+  limits.energy_bound = energy_bound_of(capability, stiffness, metric_length);
+  return capability.in_hand ? limits : without_hand(limits);
 }
 
 }  // namespace tegotae

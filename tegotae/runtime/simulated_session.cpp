@@ -52,18 +52,23 @@ void run_simulated(PhysicsLoop& physics, HapticTick& haptics, HapticInterface& i
   InterfaceState state;
   InterfaceStatus read = interface.read(0.0, state);
   InterfaceStatus written = InterfaceStatus::kOk;
-  SimulatedPhysics simulated(physics, {state.X_WT, state.V_WT, state.X_WT});
+  const ToolState tool = haptics.begin(state, read != InterfaceStatus::kOk);
+  SimulatedPhysics simulated(physics, tool);
   auto message = std::make_unique<ImpulseSums>();
-  message->X_WT = state.X_WT;
-  message->V_WT = state.V_WT;
-  message->X_WP = state.X_WT;
+  message->X_WT = tool.X_WT;
+  message->V_WT = tool.V_WT;
+  message->X_WP = tool.X_WP;
 
   const long ticks = static_cast<long>(std::floor(duration / haptic_period * (1.0 + 1e-12))) + 1;
   for (long tick = 0; tick < ticks; ++tick) {
     const double time = static_cast<double>(tick) * haptic_period;
-    if (tick > 0) read = interface.read(time, state);
-    state.time = time;
+    if (tick > 0) {
+      state.time = time;
+      read = interface.read(time, state);
+    }
     HapticTick::Circumstances circumstances;
+    circumstances.pose_age = time - state.time;
+    state.time = time;
     circumstances.interface_lost = read != InterfaceStatus::kOk || written != InterfaceStatus::kOk;
     const IntermediateRepresentation* fresh = simulated.advance_to(time, *message);
     TickRecord record;

@@ -26,7 +26,7 @@ class OpenHapticsLoop {
     state->max_force = 3.3;
     state->servo_rate = servo_rate;
     state.place({{0.12, 0.0, 0.0}, Quaternion::Identity()});
-    state.move_hand({{0.09, 0.0, 0.0}, Quaternion::Identity()});
+    lift();
   }
 
   // Until `ends`, asked at every tick, or for a minute.
@@ -40,13 +40,26 @@ class OpenHapticsLoop {
     const std::atomic<bool> stop{false};
     return run_realtime(physics, haptics, *interface, 1e-3, 60.0, stop, [&](const TickRecord& record) {
       greatest = std::max(greatest, record.displayed.force.vector().norm());
+      // Nothing is felt before the hand has been where the tool is free.
+      const bool ramping = ((record.safety_events >> static_cast<unsigned>(SafetyEvent::kRamping)) & 1U) != 0;
+      if (is_lifted && ramping) press();
       return !ends();
     });
   }
   bool pushes() const { return state.displayed().force.x() > 0.5; }
 
   DoubleStateFile state{"Touch"};
+  void lift() {
+    state.move_hand({{0.12, 0.0, 0.0}, Quaternion::Identity()});
+    is_lifted = true;
+  }
+  void press() {
+    state.move_hand({{0.09, 0.0, 0.0}, Quaternion::Identity()});
+    is_lifted = false;
+  }
+
   double greatest = 0.0;  // N, commanded
+  bool is_lifted = true;
 };
 
 TEST(OpenHapticsLoopTest, DisplaysAContactAtTheRatesOfItsServoLoop) {
@@ -73,6 +86,7 @@ TEST(OpenHapticsLoopTest, IsUnpluggedAndPluggedInWhileItRuns) {
       loop.state.unplug();
       stage = Stage::kGone;
     } else if (stage == Stage::kGone && loop.state->refused_opens > 0) {
+      loop.lift();
       loop.state.plug_in();
       stage = Stage::kBack;
     }

@@ -107,7 +107,8 @@ class FreeBodiesRig {
     PhysicsLoop physics(watched, {1.0 / settings.physics_rate, settings.margin},
                         needs_of(settings.make_method(watched.geometry())));
     HapticTick haptics(settings.make_method(watched.geometry()), tool,
-                       safety_limits_of(settings, device.capability, tool), 1.0 / settings.haptic_rate);
+                       with_short_ramp(safety_limits_of(settings, device.capability, tool)),
+                       1.0 / settings.haptic_rate);
     constexpr double kToolRadius = 0.065;  // m
     FreeBodiesOutcome out;
     double given = 0.0;

@@ -154,8 +154,9 @@ TEST(FreeBodies, SettingsChangedInContactThrowNothingAway) {
       settings = as_live(settings, rig.watched.geometry());
       RenderingMethod method = settings.make_method(rig.watched.geometry());
       physics.change(physics.settings(), needs_of(method));
-      HapticUpdate update{std::make_unique<RenderingMethod>(std::move(method)),
-                          safety_limits_of(settings, rig.device.capability, rig.watched.geometry().tool)};
+      HapticUpdate update{
+          std::make_unique<RenderingMethod>(std::move(method)),
+          with_short_ramp(safety_limits_of(settings, rig.device.capability, rig.watched.geometry().tool))};
       haptics.adopt(update);
     };
     const FreeBodiesOutcome outcome = rig.run(

@@ -68,7 +68,8 @@ TEST(LiveRun, AStiffnessActsWhileTheToolPresses) {
   steered.run.guide(below);
   long changed = 0;  // tick
   steered.until([&] {
-    if (changed == 0 && force(steered.newest) > 1.0) {
+    constexpr double kRampDone = 2.5;  // s
+    if (changed == 0 && force(steered.newest) > 1.0 && steered.newest.time > kRampDone) {
       steered.run.set("stiffness", 2000.0);
       changed = steered.ticks;
     }
@@ -161,6 +162,8 @@ TEST(LiveRun, WhatIsRefusedChangesNothing) {
   EXPECT_THROW(run.set("colour", 1.0), InputError);
   EXPECT_THROW(run.set("haptic_rate", 2000.0), InputError);
   EXPECT_THROW(run.set("physics_rate", 1999.0), InputError);
+  EXPECT_THROW(run.set("energy_bound", 0.0), InputError) << "nor may a page";
+  EXPECT_THROW(run.set("beyond_rating", 1.0), InputError);
   EXPECT_THROW(run.set_method("magic"), InputError);
   run.set_method("paper");
   EXPECT_THROW(run.set("friction", 0.5), InputError) << "which this method does not have";

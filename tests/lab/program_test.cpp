@@ -195,6 +195,10 @@ TEST(ProgramRender, RefusesOptionsThatMakeNoSense) {
   expect_one_sentence(with("--constraint-set", "some"), 2, "'near'");
   expect_one_sentence(with("--method", "magic"), 2, "there is no method");
   expect_one_sentence(with("--colour", "red"), 2, "--colour");
+  expect_one_sentence(with("--energy-bound", "maybe"), 2, "--energy-bound takes 'on' or 'off', not 'maybe'");
+  expect_one_sentence(with("--tool-weight", "2"), 2, "--tool-weight takes 'on' or 'off'");
+  expect_one_sentence(with("--clutch-button", "0.5"), 2, "a whole number");
+  expect_one_sentence(with("--force-scale", "0"), 2, "permitted are");
   expect_one_sentence(run_program({"render", "--scene", kScene}), 2, "required");
   expect_one_sentence(run_program({"render"}), 2, "see 'tegotae render --help'");
   expect_one_sentence(run_program({}), 2, "--help");

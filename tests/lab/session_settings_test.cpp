@@ -149,6 +149,34 @@ TEST(SessionSettings, EveryNumberReachesTheMethod) {
   EXPECT_TRUE(settings.tool_inertia);
 }
 
+TEST(SessionSettings, WhoHoldsTheInterfaceDecidesScalesButtonsAndTheBound) {
+  const SessionSettings defaults = decide_settings({}, cube());
+  EXPECT_EQ(defaults.workspace.translation_scale, 1.0);
+  EXPECT_EQ(defaults.workspace.clutch_button, -1);
+  EXPECT_EQ(defaults.dead_man_button, -1);
+  EXPECT_TRUE(defaults.energy_bound);
+  EXPECT_FALSE(defaults.beyond_rating);
+  SettingsRequest request;
+  request.translation_scale = 3.0;
+  request.rotation_scale = 2.0;
+  request.force_scale = 0.5;
+  request.clutch_button = 1.0;
+  request.dead_man_button = 0.0;
+  request.energy_bound = 0.0;
+  request.beyond_rating = 1.0;
+  const SessionSettings settings = decide_settings(request, cube());
+  EXPECT_EQ(settings.workspace.power_scale(), 0.5 / 3.0);
+  EXPECT_EQ(settings.workspace.clutch_button, 1);
+  EXPECT_EQ(settings.dead_man_button, 0);
+  EXPECT_FALSE(settings.energy_bound);
+  EXPECT_TRUE(settings.beyond_rating);
+  EXPECT_THAT(settings.lines(), ::testing::IsSupersetOf({"translation scale: 3", "rotation scale: 2",
+                                                         "force scale: 0.5", "clutch button: 1", "dead-man button: 0",
+                                                         "energy bound: off", "interface's ratings: not applied"}));
+  request.clutch_button = 0.5;
+  EXPECT_THAT([&] { check_ranges(request); }, ThrowsMessage<InputError>(HasSubstr("a whole number")));
+}
+
 TEST(NumericSettings, AreNamedOnceAndRefuseWhatIsOutOfRange) {
   std::set<std::string_view> names;
   for (const NumericSetting& setting : numeric_settings()) {

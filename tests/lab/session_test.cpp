@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,59 @@ TEST(Session, HoldsSettingsToWhatAnInterfaceIsRatedFor) {
   EXPECT_FALSE(held_to_rating(wanted, interface).rotational_damping.has_value()) << "d l^2 is 0.1";
   wanted.rotational_damping = 7.0;
   EXPECT_EQ(held_to_rating(wanted, interface).rotational_damping, 0.2);
+}
+
+TEST(Session, HoldsToTheRatingWhatIsFeltUnlessTheUserInsists) {
+  InterfaceCapability interface;
+  interface.max_stiffness = 1e3;
+  interface.max_rotational_stiffness = 10.0;
+  interface.max_damping = 50.0;
+  SessionSettings wanted;
+  wanted.stiffness = 5e3;
+  wanted.damping = 1e3;
+  wanted.metric_length = 0.5;
+  wanted.workspace.translation_scale = 2.0;
+  wanted.workspace.rotation_scale = 3.0;
+  wanted.workspace.force_scale = 0.1;
+  const SessionSettings held = held_to_rating(wanted, interface);
+  EXPECT_NEAR(held.workspace.felt_stiffness(held.stiffness), 1e3, 1e-9) << "5000 N/m in the world";
+  EXPECT_NEAR(held.stiffness, 5e3, 1e-9);
+  EXPECT_NEAR(held.workspace.felt_stiffness(held.damping), 50.0, 1e-9);
+  const double rotational = held.stiffness * held.metric_length * held.metric_length;
+  EXPECT_NEAR(held.workspace.felt_rotational_stiffness(rotational), 10.0, 1e-9);
+  wanted.beyond_rating = true;
+  EXPECT_EQ(held_to_rating(wanted, interface).lines(), wanted.lines());
+}
+
+TEST(Session, LimitsAreForWhoHoldsTheInterface) {
+  const Session session = cube_session(pressed(0.1));
+  SessionSettings settings = session.settings();
+  InterfaceCapability interface;
+  const SafetyLimits in_hand = safety_limits_of(settings, interface, session.tool());
+  EXPECT_EQ(in_hand.ramp_time, 2.0);
+  EXPECT_EQ(in_hand.ramp_below_force, 0.2);
+  EXPECT_TRUE(in_hand.energy_bound.on);
+  interface.in_hand = false;
+  const SafetyLimits played = safety_limits_of(settings, interface, session.tool());
+  EXPECT_EQ(played.ramp_time, 0.2);
+  EXPECT_TRUE(std::isinf(played.ramp_below_force) && std::isinf(played.max_speed));
+  EXPECT_FALSE(played.energy_bound.on);
+  interface.in_hand = true;
+  settings.energy_bound = false;
+  settings.dead_man_button = 3;
+  settings.tool_weight = true;
+  settings.workspace.force_scale = 0.5;
+  const SafetyLimits chosen = safety_limits_of(settings, interface, session.tool());
+  EXPECT_FALSE(chosen.energy_bound.on);
+  EXPECT_EQ(chosen.dead_man_button, 3);
+  EXPECT_NEAR(chosen.ramp_below_force, 0.2 + 0.5 * 9.81 * session.tool().mass.mass, 1e-9);
+  EXPECT_NEAR(chosen.force_rate, 0.5 * in_hand.force_rate, 1e-9 * in_hand.force_rate);
+}
+
+TEST(Session, ASceneMayNotSetWhatIsTheHandsAlone) {
+  for (const char* name : {"energy_bound", "beyond_rating", "dead_man_button", "clutch_button", "force_scale"}) {
+    EXPECT_THROW(settings_of({{name, 1.0}}, "room.xml"), InputError) << name;
+  }
 }
 
 TEST(Session, RefusesSettingsOfASceneThatAreUnknownOrOutOfRange) {

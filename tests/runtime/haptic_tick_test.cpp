@@ -15,18 +15,24 @@ namespace tegotae {
 namespace {
 
 constexpr double kPeriod = 1e-3;
+constexpr HapticTick::Circumstances kLost{true, false, false, 0.0}, kEnding{false, true, false, 0.0};
 
 // A tick over the paper's scene with its first model.
 struct Rig {
-  explicit Rig(SceneGeometry scene = testing::cube_over_floor())
-      : world(std::move(scene)), physics(world, {0.05, 0.01}, ModelNeeds{}) {
-    SafetyLimits limits;
-    limits.ramp_time = kPeriod;  // full wrench at once
-    limits.force_rate = limits.torque_rate = 1e9;
+  explicit Rig(SceneGeometry scene = testing::cube_over_floor(), const WorkspaceSettings& workspace = {},
+               const char* name = "paper", const SafetyLimits& limits = full_wrench_at_once())
+      : world(std::move(scene)), physics(world, {0.05, 0.01}, ModelNeeds{true, true}) {
     MethodSettings settings;
     settings.stiffness = 9000.0;
-    tick = std::make_unique<HapticTick>(make_method("paper", settings, world.geometry()), world.geometry().tool, limits,
-                                        kPeriod);
+    tick = std::make_unique<HapticTick>(make_method(name, settings, world.geometry()), world.geometry().tool, limits,
+                                        kPeriod, workspace);
+  }
+
+  static SafetyLimits full_wrench_at_once() {
+    SafetyLimits limits = without_hand({});
+    limits.ramp_time = kPeriod;
+    limits.force_rate = limits.torque_rate = 1e9;
+    return limits;
   }
 
   void make_model(double time, const Pose& X_WT) { physics.build(time, {X_WT, {}}, *model); }
@@ -121,8 +127,8 @@ TEST(HapticTick, ALostInterfaceOrTheEndGivesZeroAtOnceAndBodiesReceiveNothing) {
   scene.bodies[0].moving_index = 0;
   Rig rig(std::move(scene));
   rig.make_model(0.0, pressed(1e-3));
-  EXPECT_EQ(rig.run(0.0, pressed(1e-3), true, {true, false}).wrench.force.norm(), 0.0);
-  EXPECT_EQ(rig.run(kPeriod, pressed(1e-3), false, {false, true}).wrench.force.norm(), 0.0);
+  EXPECT_EQ(rig.run(0.0, pressed(1e-3), true, kLost).wrench.force.norm(), 0.0);
+  EXPECT_EQ(rig.run(kPeriod, pressed(1e-3), false, kEnding).wrench.force.norm(), 0.0);
   EXPECT_GT(rig.record.wrench.force.y, 8.0);
   ImpulseSums message;
   rig.tick->fill(message, 1);
@@ -134,7 +140,7 @@ TEST(HapticTick, WhileTheInterfaceIsLostTheToolStaysWhereItWas) {
   Rig rig;
   rig.make_model(0.0, pressed(1e-3));
   rig.run(0.0, pressed(1e-3), true);
-  rig.run(kPeriod, {}, false, {true, false});
+  rig.run(kPeriod, {}, false, kLost);
   EXPECT_EQ(rig.record.X_WT.p.y, 0.099);
   EXPECT_EQ(rig.record.displayed.force.y, 0.0);
 }
@@ -168,6 +174,94 @@ TEST(HapticTick, ATurningBallIsFeltAsABall) {
     ASSERT_NEAR(rig.record.wrench.force.y, 4.5, 1e-3);
     ASSERT_LT(Vector3(rig.record.wrench.torque).norm(), 1e-9);
   }
+}
+
+// Twice as far in the world as at the grip, half the force at the grip.
+TEST(HapticTick, ScalesAreBetweenTheToolAndTheGripAndBodiesTakeWhatWasDisplayed) {
+  SceneGeometry scene = testing::cube_over_floor();
+  scene.bodies[0].moving_index = 0;
+  WorkspaceSettings workspace;
+  workspace.translation_scale = 2.0;
+  workspace.force_scale = 0.5;
+  Rig rig(std::move(scene), workspace);
+  // The workspaces coincide where the scene has the tool: y = 0.3.
+  const Pose above{{0.0, 0.3 - 0.5 * 0.199, 0.0}, Quaternion::Identity()};
+  const Pose pressed_grip{{0.0, 0.3 - 0.5 * 0.201, 0.0}, Quaternion::Identity()};
+  rig.make_model(0.0, pressed(-1e-3));
+  rig.run(0.0, above, true);
+  EXPECT_NEAR(rig.record.X_WT.p.y, 0.101, 1e-12);
+  const InterfaceCommand command = rig.run(kPeriod, pressed_grip, false);
+  EXPECT_NEAR(rig.record.X_WT.p.y, 0.099, 1e-12);
+  EXPECT_NEAR(rig.record.wrench.force.y, 9.0, 1e-3);
+  EXPECT_NEAR(command.wrench.force.y(), 4.5, 1e-3);
+  EXPECT_NEAR(rig.record.displayed.force.y, 9.0, 1e-3);
+  ImpulseSums message;
+  rig.tick->fill(message, 1);
+  EXPECT_NEAR(message.bodies[0].linear.y, -kPeriod * 9.0, 1e-6);
+}
+
+TEST(HapticTick, TheSafetyStageActsInTheGripsUnits) {
+  WorkspaceSettings workspace;
+  workspace.force_scale = 10.0;
+  Rig rig(testing::cube_over_floor(), workspace);
+  rig.make_model(0.0, pressed(1e-3));
+  const InterfaceCommand command = rig.run(0.0, pressed(1e-3), true);
+  EXPECT_NEAR(command.wrench.force.norm(), 15.0, 1e-9) << "not 90";
+  EXPECT_NEAR(rig.record.displayed.force.y, 1.5, 1e-9);
+}
+
+TEST(HapticTick, TheClutchButtonKeepsTheToolAndDisplaysNothing) {
+  WorkspaceSettings workspace;
+  workspace.clutch_button = 2;
+  Rig rig(testing::cube_over_floor(), workspace);
+  rig.make_model(0.0, pressed(1e-3));
+  rig.run(0.0, pressed(1e-3), true);
+  InterfaceState state;
+  state.buttons = 1U << 2U;
+  for (int i = 1; i <= 30; ++i) {
+    state.time = i * kPeriod;
+    state.X_WT = pressed(1e-3 + 1e-3 * i);
+    (*rig.tick)(state, nullptr, {}, rig.record);
+    ASSERT_EQ(rig.record.X_WT.p.y, 0.099);
+  }
+  EXPECT_EQ(rig.record.displayed.force.y, 0.0);
+  rig.run(31 * kPeriod, pressed(31e-3 - 5e-4), false);
+  EXPECT_NEAR(rig.record.X_WT.p.y, 0.0995, 1e-12) << "it goes on from where it was";
+}
+
+TEST(HapticTick, TheFirstPoseMayHoldTheToolWhereTheSceneHasIt) {
+  WorkspaceSettings workspace;
+  workspace.from_first_pose = true;
+  Rig rig(testing::cube_over_floor(), workspace);
+  InterfaceState state;
+  state.X_WT = {{5.0, 6.0, 7.0}, rotation_from_vector({0.1, 0.2, 0.3})};
+  const ToolState tool = rig.tick->begin(state, false);
+  EXPECT_EQ(tool.X_WT.p, Vector3(0.0, 0.3, 0.0));
+  state.X_WT.p.y() += 0.01;
+  state.time = kPeriod;
+  (*rig.tick)(state, nullptr, {}, rig.record);
+  EXPECT_NEAR(rig.record.X_WT.p.y, 0.31, 1e-12);
+  EXPECT_NEAR(rig.record.X_WT.w, 1.0, 1e-12);
+}
+
+// A proxy over the floor, the pose below it: nothing may be rendered there before the model knows of it.
+TEST(HapticTick, AfterALeapTheMethodWaitsForAModelThatWasMadeThere) {
+  SafetyLimits limits;
+  Rig rig(testing::cube_over_floor(), {}, "proxy", limits);
+  rig.make_model(0.0, pressed(-1e-3));
+  for (int i = 0; i < 10; ++i) rig.run(i * kPeriod, pressed(-1e-3), i == 0);
+  rig.run(10 * kPeriod, pressed(0.15), false);
+  for (int i = 11; i < 30; ++i) {
+    rig.run(i * kPeriod, pressed(0.15), false);
+    ASSERT_EQ(rig.record.wrench.force.y, 0.0);
+    ASSERT_NEAR(rig.record.X_WP.p.y, 0.101, 1e-9) << "where it was";
+    ASSERT_NEAR(rig.record.X_WT.p.y, -0.05, 1e-12) << "but physics learns where the hand is";
+  }
+  rig.make_model(30 * kPeriod, pressed(-1e-3));
+  for (int i = 30; i < 60; ++i) rig.run(i * kPeriod, pressed(0.15), i == 30);
+  EXPECT_NEAR(rig.record.X_WP.p.y, 0.1, 1e-4) << "on the floor";
+  EXPECT_GT(rig.record.wrench.force.y, 1000.0);
+  EXPECT_EQ(rig.record.displayed.force.y, 0.0) << "until the hand has come back";
 }
 
 TEST(HapticTick, AllocatesNothingEvenWhenModelsArrive) {

@@ -20,6 +20,7 @@ Pose pressed(double depth) { return {{0.0, 0.1 - depth, 0.0}, Quaternion::Identi
 
 struct Rig {
   explicit Rig(const char* method) : world(testing::cube_over_floor()), physics(world, {0.05, 0.01}, {true, false}) {
+    limits = without_hand(limits);
     limits.ramp_time = kPeriod;
     limits.force_rate = limits.torque_rate = 1e9;
     limits.max_force = 1e3;

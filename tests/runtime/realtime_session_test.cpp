@@ -5,10 +5,16 @@
 #include <tests/free_body_world.hpp>
 
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <fstream>
 #include <mutex>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -152,6 +158,86 @@ TEST(RealtimeSession, AnObserverThatThrowsEndsTheRunWithAZeroCommand) {
                std::runtime_error);
   EXPECT_EQ(rig.hand.last.wrench.force.norm(), 0.0);
 }
+
+TEST(RealtimeSession, AnExceptionOfALinksCallbackEndsTheRunWithAZeroCommand) {
+  for (const bool in_pass : {true, false}) {
+    Rig rig;
+    LiveLink link;
+    int passes = 0;
+    const auto fail = [] { throw std::runtime_error("the page is gone"); };
+    if (in_pass)
+      link.on_pass = [&] {
+        if (++passes > 20) fail();
+      };
+    if (!in_pass) link.on_rights = [&](const RealtimeRights&, const RealtimeRights&) { fail(); };
+    const auto observer = [](const TickRecord&) { return true; };
+    EXPECT_THROW(run_realtime(rig.physics, *rig.haptics, rig.hand, 1e-3, 3600.0, rig.stop, observer, &link),
+                 std::runtime_error);
+    EXPECT_GT(rig.hand.writes, 0);
+    EXPECT_EQ(rig.hand.last.wrench.force.norm(), 0.0);
+  }
+}
+
+// A world whose first model cannot be made.
+class UnreadableWorld : public testing::FreeBodyWorld {
+ public:
+  using FreeBodyWorld::FreeBodyWorld;
+  void read_bodies(std::span<BodyState>) const override { throw std::runtime_error("no bodies"); }
+};
+
+TEST(RealtimeSession, ARunThatCannotBeginSaysZeroAllTheSame) {
+  UnreadableWorld world(testing::cube_over_floor());
+  PhysicsLoop physics(world, {0.01, 0.005}, ModelNeeds{});
+  HapticTick haptics(make_method("paper", {}, world.geometry()), world.geometry().tool, SafetyLimits{}, 1e-3);
+  SwayingHand hand;
+  hand.last.wrench.force.x() = 1.0;
+  const std::atomic<bool> stop{false};
+  EXPECT_THROW(run_realtime(physics, haptics, hand, 1e-3, 1.0, stop, [](const TickRecord&) { return true; }),
+               std::runtime_error);
+  EXPECT_EQ(hand.writes, 1);
+  EXPECT_EQ(hand.last.wrench.force.norm(), 0.0);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+// This process may have `more` bytes of address space than it has now.
+void limit_memory(std::size_t more) {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const rlim_t most = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + more;
+  const rlimit limit{most, most};
+  setrlimit(RLIMIT_AS, &limit);
+}
+
+// In a child that has no memory for the stack of a thread.
+TEST(RealtimeSession, AThreadThatCannotBeStartedLeavesZero) {
+  const auto child_ends_with = [] {
+    Rig rig;
+    rig.hand.last.wrench.force.x() = 1.0;
+    // Stacks larger than any that the process keeps for reuse, and than what it may still have.
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, std::size_t{256} << 20U);
+    pthread_setattr_default_np(&attributes);
+    limit_memory(std::size_t{32} << 20U);
+    try {
+      rig.run(1.0, [](const TickRecord&) { return true; });
+    } catch (const std::system_error&) {
+      return rig.hand.last.wrench.force.norm() == 0.0 ? 0 : 1;
+    } catch (...) {
+      return 2;
+    }
+    return 3;
+  };
+  const pid_t child = fork();
+  if (child == 0) _exit(child_ends_with());
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+#endif
 
 // A world that fails after a few steps.
 class FailingWorld : public testing::FreeBodyWorld {

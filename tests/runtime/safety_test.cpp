@@ -34,6 +34,7 @@ SafetyInput input_of(const Wrench& target) {
 // A state whose ramp is done, displaying `wrench`.
 SafetyState running_state(const Wrench& wrench = {}) {
   SafetyState state;
+  state.waiting = false;
   state.ramp = 1.0;
   state.displayed = wrench;
   return state;
@@ -64,9 +65,11 @@ TEST(Safety, IsTransparentBitForBitWhenNothingTriggers) {
 TEST(Safety, RampsInFromZeroThenLetsEverythingThrough) {
   const SafetyLimits limits;
   SafetyState state;
+  EXPECT_EQ(apply_safety(limits, state, input_of(Wrench())).displayed.force, Vector3::Zero());
   const Wrench target = push(1.0, 0.1);
   const int ticks = static_cast<int>(std::round(limits.ramp_time / limits.period));
-  for (int i = 1; i < ticks; ++i) {
+  EXPECT_EQ(ticks, 2000);
+  for (int i = 2; i < ticks; ++i) {
     const SafetyOutput output = apply_safety(limits, state, input_of(target));
     EXPECT_NEAR(output.displayed.force.x(), i * limits.period / limits.ramp_time, 1e-12);
     EXPECT_NEAR(output.ratio, i * limits.period / limits.ramp_time, 1e-12);
@@ -79,7 +82,7 @@ TEST(Safety, RampsInFromZeroThenLetsEverythingThrough) {
 }
 
 TEST(Safety, NoRampTimeMeansNoRamp) {
-  SafetyLimits limits;
+  SafetyLimits limits = without_hand({});
   limits.ramp_time = 0.0;
   SafetyState state;
   EXPECT_EQ(apply_safety(limits, state, input_of(push(1.0, 0.0))).displayed.force.x(), 1.0);
@@ -133,11 +136,14 @@ TEST(Safety, DefaultRateLetsAStrikeOfOneMetreASecondThrough) {
 TEST(Safety, LateTickMayNotGrowTheWrenchByMoreThanOnePeriod) {
   SafetyLimits limits;
   limits.force_rate = 1000.0;
+  limits.max_missed_ticks = std::numeric_limits<int>::max();
   for (const double elapsed : {0.02, 1e9, kInfinite}) {
     SafetyState state = running_state();
     SafetyInput input = input_of(push(10.0, 0.0));
     input.elapsed = elapsed;
-    EXPECT_NEAR(apply_safety(limits, state, input).displayed.force.x(), 1.0, 1e-12);
+    const double displayed = apply_safety(limits, state, input).displayed.force.x();
+    EXPECT_LE(displayed, 1.0 + 1e-12);
+    EXPECT_NEAR(displayed, elapsed < 1.0 ? 1.0 : 0.0, 1e-12);
   }
   for (const double elapsed : {0.0, -1.0, kNaN}) {
     SafetyState state = running_state(push(0.5, 0.0));
@@ -240,8 +246,151 @@ TEST(Safety, LostInterfaceAndEndingGiveZeroInTheSameCallAndRampAgain) {
     EXPECT_EQ(output.displayed.torque, Vector3::Zero());
     EXPECT_TRUE(output.has(SafetyEvent::kStopped));
     EXPECT_EQ(state.count(SafetyEvent::kStopped), 1U);
+    for (int i = 0; i < 100; ++i) {
+      const SafetyOutput pressed = apply_safety(limits, state, input_of(target));
+      EXPECT_EQ(pressed.displayed.force, Vector3::Zero()) << "it waits until the hand has come back";
+      EXPECT_TRUE(pressed.has(SafetyEvent::kWaiting));
+    }
+    apply_safety(limits, state, input_of(Wrench()));
     const SafetyOutput back = apply_safety(limits, state, input_of(target));
-    EXPECT_NEAR(back.displayed.force.x(), 10.0 * kDt / limits.ramp_time, 1e-12);
+    EXPECT_NEAR(back.displayed.force.x(), 10.0 * 2.0 * kDt / limits.ramp_time, 1e-12);
+  }
+}
+
+TEST(Safety, TheRampWaitsForASmallWrench) {
+  const SafetyLimits limits;
+  for (const Wrench& large : {push(0.21, 0.0), push(0.0, 0.011)}) {
+    SafetyState state;
+    for (int i = 0; i < 5000; ++i) {
+      const SafetyOutput output = apply_safety(limits, state, input_of(large));
+      ASSERT_EQ(output.displayed.force, Vector3::Zero());
+      ASSERT_EQ(output.displayed.torque, Vector3::Zero());
+      ASSERT_TRUE(output.has(SafetyEvent::kWaiting));
+    }
+    EXPECT_FALSE(apply_safety(limits, state, input_of(push(0.19, 0.009))).has(SafetyEvent::kWaiting));
+    EXPECT_TRUE(apply_safety(limits, state, input_of(large)).has(SafetyEvent::kRamping)) << "begun is begun";
+  }
+}
+
+TEST(Safety, TheRampWaitsForTheEndOfAPushOut) {
+  const SafetyLimits limits;
+  SafetyState state;
+  for (int i = 0; i < 1000; ++i) {
+    SafetyInput input = input_of(push(0.01 * i, 0.0));
+    input.pushing_out = true;
+    ASSERT_EQ(apply_safety(limits, state, input).displayed.force, Vector3::Zero()) << "small as it is at first";
+  }
+  const SafetyOutput out = apply_safety(limits, state, input_of(push(10.0, 0.0)));
+  EXPECT_NEAR(out.displayed.force.x(), 10.0 * kDt / limits.ramp_time, 1e-12);
+}
+
+TEST(Safety, WithoutAHandTheRampIsShortAndBeginsAtOnce) {
+  const SafetyLimits limits = without_hand({});
+  SafetyState state;
+  SafetyInput input = input_of(push(10.0, 0.0));
+  input.pushing_out = true;
+  for (int i = 1; i <= 200; ++i) apply_safety(limits, state, input);
+  EXPECT_NEAR(apply_safety(limits, state, input).displayed.force.x(), 10.0, 1e-12);
+}
+
+// Clutch, dead-man button and a pose that is too old.
+TEST(Safety, WhatIsLetGoFadesAndThenBeginsAgain) {
+  const SafetyLimits limits;
+  const Wrench target = push(10.0, 0.8);
+  const int ticks = static_cast<int>(std::round(limits.fade_time / limits.period));
+  for (const SafetyEvent event : {SafetyEvent::kClutched, SafetyEvent::kDeadMan, SafetyEvent::kPoseFault}) {
+    for (const int held : {ticks / 2, ticks, 10 * ticks}) {
+      SafetyState state = running_state(target);
+      SafetyInput input = input_of(target);
+      input.clutched = event == SafetyEvent::kClutched;
+      input.enabled = event != SafetyEvent::kDeadMan;
+      input.pose_age = event == SafetyEvent::kPoseFault ? 0.021 : 0.0;
+      for (int i = 1; i <= held; ++i) {
+        const SafetyOutput output = apply_safety(limits, state, input);
+        ASSERT_TRUE(output.has(event));
+        const double left = std::max(0.0, 1.0 - static_cast<double>(i) / ticks);
+        ASSERT_NEAR(output.displayed.force.x(), 10.0 * left, 1e-12);
+        ASSERT_NEAR(output.displayed.torque.y(), 0.8 * left, 1e-12);
+      }
+      for (int i = 0; i < 100; ++i) {
+        ASSERT_EQ(apply_safety(limits, state, input_of(target)).displayed.force, Vector3::Zero()) << "still pressed";
+      }
+      apply_safety(limits, state, input_of(Wrench()));
+      EXPECT_NEAR(apply_safety(limits, state, input_of(target)).displayed.force.x(),
+                  10.0 * 2.0 * kDt / limits.ramp_time, 1e-12);
+    }
+  }
+}
+
+TEST(Safety, APoseFaultGivesZeroInTheSameCallAndBeginsAgain) {
+  const SafetyLimits limits;
+  SafetyState state = running_state(push(10.0, 0.8));
+  SafetyInput input = input_of(push(10.0, 0.8));
+  input.pose_fault = true;
+  const SafetyOutput output = apply_safety(limits, state, input);
+  EXPECT_EQ(output.displayed.force, Vector3::Zero());
+  EXPECT_EQ(output.displayed.torque, Vector3::Zero());
+  EXPECT_TRUE(output.has(SafetyEvent::kPoseFault));
+  EXPECT_TRUE(apply_safety(limits, state, input_of(push(10.0, 0.8))).has(SafetyEvent::kWaiting));
+}
+
+TEST(Safety, AFewMissedTicksAreCountedAndMoreAreFadedAfter) {
+  const SafetyLimits limits;
+  const Wrench target = push(10.0, 0.8);
+  SafetyState state = running_state(target);
+  SafetyInput late = input_of(target);
+  late.elapsed = 11e-3;
+  SafetyOutput output = apply_safety(limits, state, late);
+  EXPECT_TRUE(output.has(SafetyEvent::kTickLate));
+  EXPECT_EQ(output.displayed.force, target.force) << "ten ticks were missed";
+  late.elapsed = 21e-3;
+  output = apply_safety(limits, state, late);
+  EXPECT_NEAR(output.displayed.force.x(), 9.5, 1e-12) << "twenty: what was held meanwhile is not dropped";
+  for (int i = 18; i >= 0; --i) {
+    output = apply_safety(limits, state, input_of(target));
+    EXPECT_TRUE(output.has(SafetyEvent::kTickLate));
+    EXPECT_NEAR(output.displayed.force.x(), 0.5 * i, 1e-12);
+  }
+  output = apply_safety(limits, state, input_of(target));
+  EXPECT_NEAR(output.displayed.force.x(), 10.0 * kDt / limits.ramp_time, 1e-12) << "and the ramp goes on from there";
+  EXPECT_FALSE(output.has(SafetyEvent::kTickLate));
+}
+
+TEST(Safety, AfterAChangeOfSettingsTheWrenchGrowsSlowly) {
+  const SafetyLimits limits;
+  SafetyState state = running_state(push(1.0, 0.0));
+  state.calm_for = limits.calm_time;
+  double last = 1.0;
+  for (int i = 0; i < 467; ++i) {
+    const double now = apply_safety(limits, state, input_of(push(15.0, 0.0))).displayed.force.x();
+    ASSERT_LE(now, last + limits.max_force / limits.calm_time * kDt + 1e-12);
+    last = now;
+  }
+  EXPECT_NEAR(last, 15.0, 1e-9) << "less than half a second";
+}
+
+TEST(Safety, TheEnergyBoundBrakesWhatASampledSpringGives) {
+  for (const bool on : {true, false}) {
+    SafetyLimits limits;
+    limits.energy_bound.on = on;
+    limits.energy_bound.stiffness = 5000.0;
+    SafetyState state = running_state();
+    double depth = 1e-3, given = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+      const double next = 1e-3 + 5e-4 * std::sin(0.7 * i);
+      given += state.displayed.force.x() * (depth - next);
+      SafetyInput input = input_of(push(5000.0 * next, 0.0));
+      input.moved[0] = input.stretched[0] = depth - next;
+      input.stretch = depth = next;
+      apply_safety(limits, state, input);
+    }
+    if (on) {
+      EXPECT_LT(given, 0.01) << "J";
+      EXPECT_GT(state.count(SafetyEvent::kEnergyBounded), 500U);
+    } else {
+      EXPECT_GT(given, 0.2);
+      EXPECT_EQ(state.count(SafetyEvent::kEnergyBounded), 0U);
+    }
   }
 }
 
@@ -270,20 +419,37 @@ TEST(Safety, RatioIsThePartOfTheTargetThatIsDisplayed) {
   EXPECT_EQ(apply_safety(limits, state, input_of(Wrench())).ratio, 1.0) << "nothing asked, nothing withheld";
 }
 
+void expect_no_more_than_the_target(const SafetyLimits& limits, const SafetyInput& input) {
+  SafetyState state = running_state();
+  for (int i = 0; i < 5; ++i) {
+    const SafetyOutput output = apply_safety(limits, state, input);
+    EXPECT_TRUE(output.displayed.is_finite());
+    EXPECT_LE(output.displayed.force.norm(), 5.0);
+  }
+}
+
 TEST(Safety, OverwrittenLimitsOrStateLetNoNaNOut) {
-  const SafetyInput input = input_of(push(5.0, 0.5));
+  SafetyInput input = input_of(push(5.0, 0.5));
+  input.moved << 1e-4, 0.0, 0.0, 0.0, 1e-3, 0.0;
+  input.stretched = input.moved;
+  input.stretch = 1e-4;
+  input.turn = 1e-3;
   for (double SafetyLimits::*member :
        {&SafetyLimits::period, &SafetyLimits::ramp_time, &SafetyLimits::force_rate, &SafetyLimits::torque_rate,
         &SafetyLimits::max_force, &SafetyLimits::max_torque, &SafetyLimits::max_model_age, &SafetyLimits::fade_time,
-        &SafetyLimits::metric_length}) {
+        &SafetyLimits::metric_length, &SafetyLimits::ramp_below_force, &SafetyLimits::ramp_below_torque,
+        &SafetyLimits::max_pose_age, &SafetyLimits::calm_time}) {
     SafetyLimits limits;
     limits.*member = kNaN;
-    SafetyState state = running_state();
-    for (int i = 0; i < 5; ++i) {
-      const SafetyOutput output = apply_safety(limits, state, input);
-      EXPECT_TRUE(output.displayed.is_finite());
-      EXPECT_LE(output.displayed.force.norm(), 5.0);
-    }
+    expect_no_more_than_the_target(limits, input);
+  }
+  for (double EnergyBoundSettings::*member :
+       {&EnergyBoundSettings::stiffness, &EnergyBoundSettings::metric_length, &EnergyBoundSettings::delay,
+        &EnergyBoundSettings::own_damping, &EnergyBoundSettings::own_rotational_damping, &EnergyBoundSettings::carried,
+        &EnergyBoundSettings::debt}) {
+    SafetyLimits limits;
+    limits.energy_bound.*member = kNaN;
+    expect_no_more_than_the_target(limits, input);
   }
   SafetyState state = running_state({Vector3(kNaN, 0.0, 0.0), Vector3(0.0, kNaN, 0.0)});
   EXPECT_TRUE(apply_safety(SafetyLimits(), state, input).displayed.is_finite());
@@ -304,9 +470,18 @@ class BitSweep {
     for (int i = 0; i < 3; ++i) input.target.force[i] = number(50.0);
     for (int i = 0; i < 3; ++i) input.target.torque[i] = number(3.0);
     input.elapsed = number(2e-3);
-    input.model_age = number(0.3);
-    input.interface_lost = random_() % 50 == 0;
+    input.model_age = number(0.2);
+    input.pose_age = number(0.02);
+    input.interface_lost = random_() % 500 == 0;
     input.ending = random_() % 500 == 0;
+    input.pushing_out = random_() % 20 == 0;
+    input.pose_fault = random_() % 500 == 0;
+    input.clutched = random_() % 200 == 0;
+    input.enabled = random_() % 200 != 0;
+    for (int i = 0; i < 6; ++i) input.moved[i] = number(1e-3);
+    for (int i = 0; i < 6; ++i) input.stretched[i] = number(1e-3);
+    input.stretch = number(1e-3);
+    input.turn = number(1e-2);
     return input;
   }
 
@@ -323,6 +498,9 @@ TEST(Safety, HoldsItsPropertiesForAnyBits) {
   limits.force_rate = 3000.0;
   limits.torque_rate = 300.0;
   limits.ramp_time = 0.01;
+  limits.ramp_below_force = 30.0;
+  limits.ramp_below_torque = 2.0;
+  limits.max_model_age = 0.18;
   BitSweep sweep(4);
   SafetyState state;
   std::uint64_t displayed_something = 0, events_seen = 0;

@@ -41,7 +41,7 @@ std::vector<TickRecord> run(testing::FreeBodyWorld& world, HapticInterface& inte
   MethodSettings settings;
   settings.stiffness = 500.0;
   const Tool& tool = world.geometry().tool;
-  HapticTick tick(make_method("paper", settings, world.geometry()), tool, SafetyLimits{}, 1e-3);
+  HapticTick tick(make_method("paper", settings, world.geometry()), tool, without_hand({}), 1e-3);
   std::vector<TickRecord> records;
   run_simulated(physics, tick, interface, 1e-3, duration, [&](const TickRecord& record) {
     records.push_back(record);
@@ -177,7 +177,7 @@ TEST(SimulatedSession, TheObserverEndsTheRun) {
   testing::FreeBodyWorld world(testing::cube_over_floor());
   ScriptedInterface interface([](double) { return pressed(0.0); });
   PhysicsLoop physics(world, {0.05, 0.01}, ModelNeeds{});
-  HapticTick tick(make_method("paper", {}, world.geometry()), world.geometry().tool, SafetyLimits{}, 1e-3);
+  HapticTick tick(make_method("paper", {}, world.geometry()), world.geometry().tool, without_hand({}), 1e-3);
   int seen = 0;
   run_simulated(physics, tick, interface, 1e-3, 10.0, [&](const TickRecord&) { return ++seen < 7; });
   EXPECT_EQ(seen, 7);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tegotae/math/rotation.hpp>
+#include <tegotae/runtime/pose_guard.hpp>
+
+#include <algorithm>
+
+namespace tegotae {
+namespace {
+
+// s. A device that reports more seldom than this is not one for force feedback; a hand that rested longer gets no more
+// way for it.
+constexpr double kLongestStill = 0.01;
+
+bool is_pose(const InterfaceState& state) noexcept {
+  return state.X_WT.is_finite() && state.V_WT.is_finite() && state.X_WT.q.squaredNorm() > 0.25;
+}
+
+bool is_same(const Pose& a, const Pose& b) noexcept { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
+
+bool is_near(const PoseGuard::Limits& limits, const Pose& a, const Pose& b, double time) noexcept {
+  return (b.p - a.p).norm() <= limits.speed * time &&
+         rotation_vector(b.q * a.q.conjugate()).norm() <= limits.turning_speed * time;
+}
+
+}  // namespace
+
+PoseVerdict PoseGuard::judge(const Limits& limits, const InterfaceState& state, double elapsed) noexcept {
+  still_ += elapsed;
+  absent_ += elapsed;
+  if (!is_pose(state)) return PoseVerdict::kFault;
+  Pose pose = state.X_WT;
+  pose.q.normalize();
+
+  const bool first = !started_;
+  const double allowed = std::clamp(kLongestStill, elapsed, std::max(still_, elapsed));
+  const bool goes_on = first || lost_ || is_near(limits, seen_, pose, allowed);
+  if (first || lost_ || !is_same(pose, seen_)) still_ = 0.0;
+  seen_ = pose;
+  started_ = true;
+  if (!goes_on) return PoseVerdict::kFault;
+
+  // Readings were refused or missed since the last good one, or it is not known for how long.
+  const bool was_away = lost_ || absent_ > 1.5 * elapsed;
+  const bool moved = !first && was_away && !is_near(limits, good_, pose, std::max(allowed, kLongestStill));
+  lost_ = false;
+  good_ = pose;
+  absent_ = 0.0;
+  return moved ? PoseVerdict::kMoved : PoseVerdict::kGood;
+}
+
+}  // namespace tegotae
