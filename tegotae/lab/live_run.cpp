@@ -82,6 +82,7 @@ SessionSettings LiveRun::decide(const SettingsRequest& request) const {
   if (!complete.physics_rate) complete.physics_rate = highest_physics_rate_;
   SessionSettings settings = decide_settings(complete, geometry().tool);
   settings.gravity = world_->gravity();
+  settings.workspace.from_first_pose = device_ != nullptr;
   return held_to_bodies(held_to_rating(settings, interface()), geometry());
 }
 

@@ -46,6 +46,7 @@ void LiveSession::run(const std::atomic<bool>& stop) {
     has_ticks_ = true;
     newest_time_ = record.time;
     this->record(record);
+    watch_device(record);
     return true;
   };
   while (!stop) {
@@ -100,6 +101,7 @@ void LiveSession::begin(const LiveScene& scene, const SettingsRequest& wanted) {
   recording_offset_ += newest_time_ + 1.0 / run_->settings().haptic_rate;
   newest_time_ = 0.0;
   has_ticks_ = false;
+  device_watch_ = {};
   motion_.reset();
   if (scene.experiment != nullptr) motion_ = scene.experiment->name;
   output_.send_all(shared(scene_message()));
@@ -318,6 +320,25 @@ void LiveSession::record_state(const ViewFrame& frame, const std::string& messag
   recorded.time += recording_offset_;
   for (ViewedSample& sample : recorded.samples) sample.time += recording_offset_;
   recording_->write_state(recorded.time, encode(recorded));
+}
+
+void LiveSession::watch_device(const TickRecord& record) {
+  if (!run_->has_device() || run_->is_paused()) return;
+  const bool is_silent = ((record.safety_events >> static_cast<unsigned>(SafetyEvent::kPoseFault)) & 1U) != 0;
+  switch (device_watch_.see(record.time, is_silent)) {
+    case DeviceWatch::News::kNone:
+      return;
+    case DeviceWatch::News::kSilent:
+      return tell(
+          NoticeLevel::kWarning,
+          fmt::format("{} does not answer, or with no pose: it is told zero, and looked for; check its cable and "
+                      "its power.",
+                      run_->interface().name));
+    case DeviceWatch::News::kBack:
+      return tell(
+          NoticeLevel::kInfo,
+          fmt::format("{} is back: let go of what you touch, and it is felt again from zero.", run_->interface().name));
+  }
 }
 
 // A disk that is full ends the recording, and nothing else.

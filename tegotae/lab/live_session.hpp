@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tegotae/lab/device_watch.hpp>
 #include <tegotae/lab/frame_maker.hpp>
 #include <tegotae/lab/live_inbox.hpp>
 #include <tegotae/lab/live_run.hpp>
@@ -80,6 +81,7 @@ class LiveSession {
   void start_recording(const std::filesystem::path& file);
   void stop_recording();
   void watch_recording();
+  void watch_device(const TickRecord& record);
   void record(const TickRecord& tick);
   void record_state(const ViewFrame& frame, const std::string& message);
   void record_scene();
@@ -104,6 +106,7 @@ class LiveSession {
   std::unique_ptr<RecordingFile> recording_;
   std::string recording_error_;  ///< of the last recording that failed
   std::filesystem::path recording_path_;
+  DeviceWatch device_watch_;
   double newest_time_ = 0.0;       ///< s, of the run
   double recording_offset_ = 0.0;  ///< s, from the time of the run to that of the recording: it outlives runs
 };

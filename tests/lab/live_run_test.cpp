@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -22,7 +23,8 @@ LiveScene scene(const std::string& file) { return {file, std::filesystem::path(T
 
 // Performs `pass` every few milliseconds until it says that the run may end.
 struct Steered {
-  explicit Steered(const LiveScene& which, const SettingsRequest& wanted = {}) : run(which, wanted) {}
+  explicit Steered(const LiveScene& which, const SettingsRequest& wanted = {}, HapticInterface* device = nullptr)
+      : run(which, wanted, device) {}
 
   void until(const std::function<bool()>& done) {
     report = run.run(
@@ -235,6 +237,79 @@ TEST(LiveRun, ShowsTheMovingBodies) {
   const MovingBodies& bodies = steered.run.bodies();
   EXPECT_EQ(bodies.count, steered.run.geometry().moving_count);
   for (const PlainPose& pose : bodies.used()) EXPECT_GT(pose.p.z, 0.40);
+}
+
+// A device somewhere else than the scene's tool, whose hand goes straight down, slowly, from when it is first read.
+class SinkingDevice final : public HapticInterface {
+ public:
+  InterfaceCapability capability() const override {
+    InterfaceCapability capability;
+    capability.name = "sinking";
+    capability.max_force = 3.0;
+    capability.max_stiffness = 800.0;
+    return capability;
+  }
+  InterfaceStatus read(double time, InterfaceState& state) noexcept override {
+    if (fails) return InterfaceStatus::kLost;
+    ++reads;
+    state.time = time;
+    state.X_WT = {Vector3(7.0, 7.0, 7.0 - 1e-5 * static_cast<double>(reads)), Quaternion::Identity()};
+    state.V_WT.linear = Vector3(0.0, 0.0, -0.01);
+    return InterfaceStatus::kOk;
+  }
+  InterfaceStatus write(const InterfaceCommand& command) noexcept override {
+    commanded = command.wrench.force.norm();
+    return InterfaceStatus::kOk;
+  }
+
+  std::atomic<long> reads{0};
+  std::atomic<bool> fails{false};
+  std::atomic<double> commanded{-1.0};
+};
+
+TEST(LiveRunOnADevice, HoldsTheToolWhereTheSceneHasItAndIsHeldToTheRating) {
+  SinkingDevice device;
+  SettingsRequest wanted;
+  wanted.stiffness = 5000.0;
+  Steered steered(scene("table.xml"), wanted, &device);
+  const Vector3 start = steered.run.geometry().tool.X_WT.p;
+  EXPECT_EQ(steered.run.settings().stiffness, 800.0);
+  EXPECT_EQ(steered.run.interface().name, "sinking");
+  EXPECT_TRUE(steered.run.has_device());
+  steered.until([&] { return steered.ticks > 200; });
+  const Vector3 moved = Vector3(steered.newest.X_WT.p) - start;
+  EXPECT_NEAR(moved.x(), 0.0, 1e-9);
+  EXPECT_NEAR(moved.z(), -1e-5 * static_cast<double>(steered.ticks), 2e-3);
+  EXPECT_EQ(device.commanded, 0.0) << "the last command";
+}
+
+TEST(LiveRunOnADevice, IsMovedByNothingElse) {
+  SinkingDevice device;
+  LiveRun run(scene("table.xml"), {}, &device);
+  EXPECT_THROW(run.guide(Pose{}), InputError);
+  EXPECT_THROW(run.play(find_scripted_motion("press").motion(Vector3::UnitZ())), InputError);
+  EXPECT_THROW(run.stop_motion(), InputError);
+  EXPECT_FALSE(run.intended().has_value());
+  EXPECT_FALSE(run.is_playing());
+  EXPECT_THROW(LiveRun(live_scene_of(find_experiment("paper-cube")), {}, &device), InputError);
+  const std::string message = live_scene_message(run, {});
+  EXPECT_NE(message.find(R"("interface":"sinking")"), std::string::npos) << message;
+  EXPECT_NE(message.find(R"("motions":[])"), std::string::npos);
+  EXPECT_NE(message.find(R"("experiments":[])"), std::string::npos);
+}
+
+TEST(LiveRunOnADevice, PausedGoesOnReadingAndCommandsZero) {
+  SinkingDevice device;
+  Steered steered(scene("table.xml"), {}, &device);
+  long paused_at = 0;
+  steered.until([&] {
+    if (paused_at == 0 && steered.ticks > 100) {
+      steered.run.pause(true);
+      paused_at = device.reads;
+    }
+    return paused_at > 0 && device.reads > paused_at + 200;
+  });
+  EXPECT_EQ(device.commanded, 0.0);
 }
 
 }  // namespace

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <tests/doubles/double_state_file.hpp>
+#include <tests/lab/started_program.hpp>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <ctime>
+#include <functional>
+#include <optional>
+#include <string>
+#include <thread>
+
+// The program as a person runs it, driving a device through its maker's C interface, while faults are done to both. The
+// device is simulated in this project's own library of that interface, which holds its last force for ever, as the worst
+// device would: what brings it to zero is the program, or its guard. Times are printed, not asserted.
+namespace tegotae {
+namespace {
+
+using testing::DoubleState;
+using testing::DoubleStateFile;
+
+constexpr double kStiffness = 1000.0;          // N/m
+constexpr double kLargestForce = 12.0;         // N, of the model
+constexpr double kGrowth = 2.0 * kStiffness * 1e-3;  // N a period: a strike at 1 m/s, and as much again
+constexpr double kRounding = 1e-9;             // N
+
+// A ball 5 mm above a floor.
+constexpr const char* kScene = R"(<mujoco>
+  <option gravity="0 0 -9.81"/>
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 0.1"/>
+    <body name="tool" pos="0 0 0.025" mocap="true"><geom type="sphere" size="0.02" mass="0.1"/></body>
+  </worldbody>
+</mujoco>)";
+
+std::int64_t now() {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return time.tv_sec * 1'000'000'000LL + time.tv_nsec;
+}
+
+bool comes(const std::function<bool()>& what) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+  while (!what()) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+// A device in a hand that presses the ball on the floor with several newtons.
+class PressingDevice : public ::testing::Test {
+ protected:
+  PressingDevice() {
+    scene_ = folder_.write("floor.xml", kScene);
+    device_.place({Vector3::Zero(), Quaternion::Identity()});
+    program_.emplace(std::vector<std::string>{"serve", scene_, "--interface", "force-dimension", "--port", "0",
+                                              "--stiffness", "1000", "--physics-rate", "500"},
+                     std::vector<std::string>{std::string("LD_LIBRARY_PATH=") + TEGOTAE_DOUBLES + "/force-dimension",
+                                              "TEGOTAE_DOUBLE_STATE=" + device_.path()});
+  }
+  ~PressingDevice() override { program_.reset(); }
+
+  bool press() {
+    if (!comes([&] { return device_->command_count > 100; })) return false;
+    device_.move_hand({Vector3(0.0, 0.0, -0.03), Quaternion::Identity()});
+    return comes([&] { return force() > 2.0; });
+  }
+  // After a fault nothing is felt before the hand has let go and the ramp of 2 s is over.
+  bool let_go_and_press_again() {
+    device_.move_hand({Vector3::Zero(), Quaternion::Identity()});
+    if (!comes([&] { return device_.pose().p.z() > -1e-3; })) return false;
+    const std::uint64_t free = device_->command_count;
+    if (!comes([&] { return device_->command_count > free + 2500; })) return false;
+    device_.move_hand({Vector3(0.0, 0.0, -0.03), Quaternion::Identity()});
+    return comes([&] { return force() > 2.0; });
+  }
+  double force() const { return device_.displayed().force.norm(); }
+
+  // From `begin` (ns) to the first command of zero after it, in ms.
+  std::optional<double> milliseconds_to_zero(std::int64_t begin) const {
+    const std::uint64_t count = device_->command_count;
+    for (std::uint64_t i = count > DoubleState::kCommands ? count - DoubleState::kCommands : 0; i < count; ++i) {
+      const auto& command = device_->commands[i % DoubleState::kCommands];
+      if (command.time < begin) continue;
+      bool is_zero = true;
+      for (const auto* part : {&command.force, &command.torque}) {
+        for (const auto& each : *part) is_zero = is_zero && each.load() == 0.0;
+      }
+      if (is_zero) return 1e-6 * static_cast<double>(command.time - begin);
+    }
+    return std::nullopt;
+  }
+
+  void expect_bounded(const char* fault, std::int64_t begin) {
+    EXPECT_LE(device_->largest_force, kLargestForce + kRounding);
+    EXPECT_LE(device_->largest_force_growth, kGrowth + kRounding);
+    EXPECT_EQ(device_->bad_commands, 0u);
+    const auto time = milliseconds_to_zero(begin);
+    EXPECT_TRUE(time.has_value()) << "no command of zero came";
+    std::printf("%-16s largest force %5.2f N, growth %5.3f N a tick; zero after %.1f ms\n", fault,
+                device_->largest_force.load(), device_->largest_force_growth.load(), time.value_or(NAN));
+  }
+
+  TemporaryFolder folder_;
+  DoubleStateFile device_{"omega.6"};
+  std::string scene_;
+  std::optional<StartedProgram> program_;
+};
+
+class EndedPressingDevice : public PressingDevice, public ::testing::WithParamInterface<int> {};
+
+TEST_P(EndedPressingDevice, IsAtZeroWhateverSignalEndsTheProgram) {
+  ASSERT_TRUE(press()) << program_->output();
+  const int signal = GetParam();
+  const std::int64_t begin = now();
+  program_->kill(signal);
+  EXPECT_TRUE(comes([&] { return force() == 0.0; })) << program_->output();
+  program_->wait();
+  expect_bounded(strsignal(signal), begin);  // NOLINT(concurrency-mt-unsafe)
+  EXPECT_EQ(device_.commanded().force.norm(), 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, EndedPressingDevice, ::testing::Values(SIGINT, SIGTERM, SIGHUP, SIGSEGV, SIGKILL),
+                         [](const auto& test) { return std::string(sigabbrev_np(test.param)); });
+
+TEST_F(PressingDevice, UnpluggedIsToldZeroAndFeltAgainFromZeroWhenItIsBack) {
+  ASSERT_TRUE(press()) << program_->output();
+  const std::int64_t begin = now();
+  device_.unplug();
+  ASSERT_TRUE(comes([&] { return device_->refused_opens > 0; })) << "it is looked for";
+  device_.plug_in();
+  ASSERT_TRUE(comes([&] { return device_->opens >= 2; })) << program_->output();
+  // The hand presses still.
+  const std::uint64_t commands = device_->command_count;
+  ASSERT_TRUE(comes([&] { return device_->command_count > commands + 200; }));
+  EXPECT_EQ(force(), 0.0);
+  EXPECT_TRUE(let_go_and_press_again()) << program_->output();
+  expect_bounded("unplugged", begin);
+  EXPECT_FALSE(program_->has_ended());
+}
+
+TEST_F(PressingDevice, CallsThatFailNowAndThenNeverThrowAForce) {
+  ASSERT_TRUE(press()) << program_->output();
+  const std::int64_t begin = now();
+  device_->fail_every = 97;
+  const std::uint64_t failed = device_->failed_calls;
+  ASSERT_TRUE(comes([&] { return device_->failed_calls > failed + 20; }));
+  device_->fail_every = 0;
+  expect_bounded("failing calls", begin);
+  EXPECT_FALSE(program_->has_ended());
+}
+
+TEST_F(PressingDevice, APoseThatIsNoneOrJumpsNeverThrowsAForce) {
+  ASSERT_TRUE(press()) << program_->output();
+  std::int64_t begin = now();
+  device_->nan_pose = true;
+  ASSERT_TRUE(comes([&] { return force() == 0.0; })) << program_->output();
+  expect_bounded("no pose", begin);
+  device_->nan_pose = false;
+  ASSERT_TRUE(let_go_and_press_again()) << program_->output();
+  begin = now();
+  device_->jump[2] = -0.2;
+  ASSERT_TRUE(comes([&] { return force() == 0.0; })) << program_->output();
+  expect_bounded("jump of 0.2 m", begin);
+  EXPECT_FALSE(program_->has_ended());
+}
+
+}  // namespace
+}  // namespace tegotae
