@@ -118,6 +118,7 @@ void add_experiment_command(CLI::App& program) {
       ->type_name("NAME")
       ->capture_default_str();
   options->settings.add_method(*command);
+  options->settings.add_limits(*command);
   command->callback([options] { run(*options); });
 }
 

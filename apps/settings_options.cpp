@@ -46,31 +46,41 @@ void SettingsOptions::add_method(CLI::App& command) {
       ->type_name("NAME");
 }
 
+void SettingsOptions::add_number(CLI::App& command, const NumericSetting& setting) {
+  std::string name = fmt::format("--{}", setting.name);
+  std::replace(name.begin(), name.end(), '_', '-');
+  const std::string summary(setting.summary);
+  std::optional<double>& value = request.*setting.field;
+  if (setting.field == &SettingsRequest::beyond_rating) {
+    command.add_flag_callback(
+        name, [&value] { value = 1.0; }, summary);
+    return;
+  }
+  if (setting.is_switch) {
+    const auto take = [&value, name](const std::string& text) { value = parse_switch(name, text); };
+    command.add_option_function<std::string>(name, take, setting.of_proxy ? summary + "; of 'proxy'" : summary)
+        ->type_name("on|off");
+    return;
+  }
+  if (setting.field == &SettingsRequest::metric_length) {
+    command.add_option(name, metric_length, summary)->type_name("m|gyration");
+    return;
+  }
+  const std::string unit(setting.unit.empty() ? "NUMBER" : setting.unit);
+  command.add_option(name, value, setting.of_proxy ? summary + "; of 'proxy'" : summary)
+      ->type_name(unit)
+      ->check(number_in(setting.unit.empty() ? "" : unit));
+}
+
 void SettingsOptions::add_numbers(CLI::App& command) {
+  for (const NumericSetting& setting : numeric_settings()) add_number(command, setting);
+}
+
+void SettingsOptions::add_limits(CLI::App& command) {
   for (const NumericSetting& setting : numeric_settings()) {
-    std::string name = fmt::format("--{}", setting.name);
-    std::replace(name.begin(), name.end(), '_', '-');
-    const std::string summary(setting.summary);
-    std::optional<double>& value = request.*setting.field;
-    if (setting.field == &SettingsRequest::beyond_rating) {
-      command.add_flag_callback(
-          name, [&value] { value = 1.0; }, summary);
-      continue;
+    if (setting.field == &SettingsRequest::energy_bound || setting.field == &SettingsRequest::beyond_rating) {
+      add_number(command, setting);
     }
-    if (setting.is_switch) {
-      const auto take = [&value, name](const std::string& text) { value = parse_switch(name, text); };
-      command.add_option_function<std::string>(name, take, setting.of_proxy ? summary + "; of 'proxy'" : summary)
-          ->type_name("on|off");
-      continue;
-    }
-    if (setting.field == &SettingsRequest::metric_length) {
-      command.add_option(name, metric_length, summary)->type_name("m|gyration");
-      continue;
-    }
-    const std::string unit(setting.unit.empty() ? "NUMBER" : setting.unit);
-    command.add_option(name, value, setting.of_proxy ? summary + "; of 'proxy'" : summary)
-        ->type_name(unit)
-        ->check(number_in(setting.unit.empty() ? "" : unit));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tegotae/lab/numeric_setting.hpp>
 #include <tegotae/lab/session_settings.hpp>
 
 #include <CLI/CLI.hpp>
@@ -19,9 +20,14 @@ struct SettingsOptions {
   void add_method(CLI::App& command);
   void add_numbers(CLI::App& command);
   void add_all(CLI::App& command);
+  /// What keeps an interface stable, to be turned off by name.
+  void add_limits(CLI::App& command);
 
   /// What was asked for. Throws UsageError for names that are not there and values out of range.
   SettingsRequest checked() const;
+
+ private:
+  void add_number(CLI::App& command, const NumericSetting& setting);
 };
 
 }  // namespace tegotae

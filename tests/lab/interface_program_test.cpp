@@ -51,6 +51,19 @@ TEST(ProgramInterface, AnExperimentRunsOnASimulatedSpidarAndRepeats) {
   EXPECT_FALSE(summary["variants"][0].contains("display"));
 }
 
+TEST(ProgramInterface, RatingAndEnergyBoundCanBeTurnedOffByName) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      run_program({"experiment", "paper-cube", "--interface", "spidar-g6:x3r,simulated", "--beyond-rating",
+                   "--energy-bound", "off", "--out", folder.path().string()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, testing::Not(HasSubstr("is rated for")));
+  EXPECT_THAT(result.err, HasSubstr("warning: one-metre: the force that spidar-g6:x3r,simulated has was not enough"));
+  const auto summary = nlohmann::json::parse(contents_of(folder.path() / "summary.json"));
+  EXPECT_EQ(summary["variants"][0]["settings"]["metric_length_m"], 1.0);
+  EXPECT_GT(summary["variants"][0]["safety_events"]["torque_saturated"], 1000);
+}
+
 TEST(ProgramInterface, ItsRecordingExportsToTheSameSamples) {
   const TemporaryFolder folder;
   const std::string recording = (folder.path() / "run.mcap").string(), csv = (folder.path() / "run.csv").string();
