@@ -29,7 +29,7 @@ class PressAndSlide {
       return least + (most - least) * static_cast<double>(random()) / 4294967296.0;
     };
     Vector3 place = Vector3::Zero();
-    for (double time = 0.0; time < duration; time += kEpisode) {
+    for (int i = 0; i * kEpisode < duration; ++i) {
       Episode& episode = episodes_.emplace_back();
       const auto features = touched_features();
       const Quaternion spin = rotation_from_vector({0.0, 0.0, uniform(-3.0, 3.0)});

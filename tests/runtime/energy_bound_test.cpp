@@ -161,7 +161,7 @@ TEST(EnergyBound, ASpringThatIsCutToTheLimitStoresWhatItsForceDid) {
 }
 
 TEST(EnergyBound, ADelayThatIsKnownIsCounted) {
-  double taken[2];
+  double taken[2] = {};
   for (const int periods : {0, 2}) {
     Spring spring(8000.0);
     spring.settings.delay = periods * kDt;

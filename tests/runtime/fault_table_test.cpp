@@ -327,12 +327,11 @@ TEST_F(FaultTable, DeadManButtonNeverHeld) {
 }
 
 TEST_F(FaultTable, StiffnessRaisedTenfold) {
-  double at_change = -1.0;
-  const Outcome outcome = run([&](Moment& moment) {
-    if (at_change >= 0.0) return;
-    at_change = moment.time;
-    HapticUpdate update{std::make_unique<RenderingMethod>(method("proxy", 10.0 * kStiffness)), limits};
-    haptics->adopt(update);
+  HapticUpdate update{std::make_unique<RenderingMethod>(method("proxy", 10.0 * kStiffness)), limits};
+  bool is_changed = false;
+  const Outcome outcome = run([&](Moment&) {
+    if (!is_changed) haptics->adopt(update);
+    is_changed = true;
   });
   expect_safe("stiffness times ten under the press", outcome, std::numeric_limits<double>::infinity());
   EXPECT_NEAR(outcome.in_the_end, limits.max_force, 1e-6);

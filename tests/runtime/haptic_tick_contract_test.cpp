@@ -32,8 +32,9 @@ class BusyTick {
   explicit BusyTick(const char* method)
       : world_(scene()), physics_(world_, {0.05, 0.01}, needs_of(make_method(method, {}, world_.geometry()))) {
     const Tool& tool = world_.geometry().tool;
-    haptics_ = std::make_unique<HapticTick>(make_method(method, {}, world_.geometry()), tool, SafetyLimits{}, 1e-3);
-    updates_->give({std::make_unique<RenderingMethod>(make_method(method, {}, world_.geometry())), SafetyLimits{}});
+    haptics_ =
+        std::make_unique<HapticTick>(make_method(method, {}, world_.geometry()), tool, limits(), 1e-3, workspace());
+    updates_->give({std::make_unique<RenderingMethod>(make_method(method, {}, world_.geometry())), limits()});
     for (int i = 0; i < 3; ++i) physics_.build(0.0, {pose(0.1 * i), {}}, models_[i]);
   }
 
@@ -42,6 +43,7 @@ class BusyTick {
       InterfaceState state;
       state.time = 1e-3 * i;
       state.X_WT = pose(state.time);
+      state.buttons = i % 200 > 190 ? 1U : 2U;
       if (i % 20 == 0) {
         slot_->begin_write() = models_[i / 20 % 3];
         slot_->publish();
@@ -59,12 +61,29 @@ class BusyTick {
       statistics_.add(1e-6, record.model_age);
       ring_.push(record);
       strongest_ = std::max(strongest_, Vector3(record.wrench.force).norm());
+      displayed_ = std::max(displayed_, Vector3(record.displayed.force).norm());
     }
   }
 
   double strongest() const { return strongest_; }
+  double displayed() const { return displayed_; }
+  const SafetyState& safety() const { return haptics_->safety(); }
 
  private:
+  // Every stage has something to do: clutch, dead-man button, scales, energy bound.
+  static SafetyLimits limits() {
+    SafetyLimits limits = with_short_ramp({});
+    limits.dead_man_button = 1;
+    return limits;
+  }
+  static WorkspaceSettings workspace() {
+    WorkspaceSettings workspace;
+    workspace.rotation_scale = 1.5;
+    workspace.force_scale = 0.5;
+    workspace.clutch_button = 0;
+    return workspace;
+  }
+
   static SceneGeometry scene() {
     SceneGeometry scene = testing::cube_over_floor();
     Body block = scene.bodies[0];
@@ -90,7 +109,7 @@ class BusyTick {
   std::unique_ptr<LatestValue<ImpulseSums>> messages_ = std::make_unique<LatestValue<ImpulseSums>>();
   SpscRing<TickRecord> ring_{64};
   TickStatistics statistics_;
-  double strongest_ = 0.0;
+  double strongest_ = 0.0, displayed_ = 0.0;
 };
 
 class HapticTickContract : public ::testing::TestWithParam<std::string_view> {};
@@ -103,6 +122,10 @@ TEST_P(HapticTickContract, NeitherAllocatesNorLocks) {
   EXPECT_EQ(allocations.count(), 0u);
   EXPECT_EQ(locks.count(), 0u);
   EXPECT_GT(tick->strongest(), 0.1) << "it was in contact";
+  EXPECT_GT(tick->displayed(), 0.05);
+  EXPECT_GT(tick->safety().count(SafetyEvent::kClutched), 0u);
+  EXPECT_GT(tick->safety().count(SafetyEvent::kDeadMan), 0u);
+  EXPECT_GT(tick->safety().count(SafetyEvent::kEnergyBounded), 0u);
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
