@@ -15,18 +15,18 @@
 #include <thread>
 
 // The program as a person runs it, driving a device through its maker's C interface, while faults are done to both. The
-// device is simulated in this project's own library of that interface, which holds its last force for ever, as the worst
-// device would: what brings it to zero is the program, or its guard. Times are printed, not asserted.
+// device is simulated in this project's own library of that interface, which holds its last force for ever, as the
+// worst device would: what brings it to zero is the program, or its guard. Times are printed, not asserted.
 namespace tegotae {
 namespace {
 
 using testing::DoubleState;
 using testing::DoubleStateFile;
 
-constexpr double kStiffness = 1000.0;          // N/m
-constexpr double kLargestForce = 12.0;         // N, of the model
+constexpr double kStiffness = 1000.0;                // N/m
+constexpr double kLargestForce = 12.0;               // N, of the model
 constexpr double kGrowth = 2.0 * kStiffness * 1e-3;  // N a period: a strike at 1 m/s, and as much again
-constexpr double kRounding = 1e-9;             // N
+constexpr double kRounding = 1e-9;                   // N
 
 // A ball 5 mm above a floor.
 constexpr const char* kScene = R"(<mujoco>
