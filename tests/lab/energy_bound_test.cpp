@@ -20,7 +20,8 @@ namespace tegotae {
 namespace {
 
 constexpr std::uint32_t kSeed = 5;
-const double kDuration = testing::sweep_size(60);  // s
+// s; a sanitizer sees one hold.
+const double kDuration = std::max(2.0 * testing::PressAndSlide::kEpisode, 1.0 * testing::sweep_size(60));
 
 // Frictionless: nothing that the contact takes helps to damp.
 StabilitySetup setup_of(const char* device, const char* method, double delay) {
@@ -40,7 +41,8 @@ StabilitySetup setup_of(const char* device, const char* method, double delay) {
 // The largest stiffness (N/m) at which all of vertex, edge and face are stable, as the laboratory finds it.
 double stable_stiffness(const StabilitySetup& setup) {
   double least = std::numeric_limits<double>::infinity();
-  for (const TouchedFeature& feature : touched_features()) {
+  const auto features = touched_features();
+  for (const TouchedFeature& feature : features.first(testing::kSweepDivisor > 1 ? 1 : features.size())) {
     least = std::min(least, measure_stability(setup, feature, [](double) {}).limit.largest_stable);
   }
   return least;
@@ -126,7 +128,7 @@ TEST_P(EnergyBoundInTheLoop, NoVibrationStaysAtTwiceTheStableStiffnessAndWithout
       EXPECT_LT(contact.injected, 1e-3) << "J";
     } else {
       EXPECT_GT(contact.mean_vibration, 2.0 * kStill);
-      EXPECT_GT(contact.injected, 5e-3) << "J";
+      EXPECT_GT(contact.injected, 2e-3 * contact.held) << "J: 2 mW";
     }
   }
 }
