@@ -36,7 +36,9 @@ unsigned OpenHapticsServo::frame() noexcept {
   library_.make_current_device(device_);
   library_.begin_frame(device_);
   const OpenHapticsReading reading = read();
-  send(is_last ? Wrench{} : command());
+  take_errors();
+  const Wrench wrench = command();
+  send(is_last ? Wrench{} : wrench);
   library_.end_frame(device_);
   take_errors();
   failed_frames_ = frame_failed_ ? failed_frames_ + 1 : 0;
@@ -79,11 +81,16 @@ OpenHapticsReading OpenHapticsServo::read() noexcept {
   return reading;
 }
 
-// The newest command, unless it is withheld.
+// The newest command, unless it is withheld. A frame that failed, and the one after it, whose predecessor may have
+// failed when it was ended, command zero: so whichever is the last, zero was commanded before it.
 Wrench OpenHapticsServo::command() noexcept {
   const bool is_new = commands_.update();
   const Wrench wrench = commands_.get();
   silent_callbacks_ = is_new ? 0 : silent_callbacks_ + 1;
+  if (frame_failed_ || failed_frames_ > 0) {
+    if (!is_zero(wrench)) sample_.is_withheld = true;
+    return {};
+  }
   if (sample_.is_withheld) {
     if (is_new && is_zero(wrench)) sample_.is_withheld = false;
   } else if (silent_callbacks_ >= kPatience && !is_zero(wrench)) {
@@ -96,7 +103,8 @@ Wrench OpenHapticsServo::command() noexcept {
 void OpenHapticsServo::send(const Wrench& wrench_W) noexcept {
   const Vector3 force = axes_.to_device(wrench_W.force);
   library_.set_doubles(hd::kCurrentForce, force.data());
-  if (turns()) send_torque(kNewtonMetre * axes_.to_device(wrench_W.torque));
+  // A frame that failed already cannot tell whether there is such a parameter.
+  if (turns() && (torque_is_asked_for_ || !frame_failed_)) send_torque(kNewtonMetre * axes_.to_device(wrench_W.torque));
 }
 
 // The first one asks whether there is such a parameter.

@@ -33,7 +33,7 @@ struct OpenHapticsReading {
 
 /// What a callback tells the haptic thread: the newest reading that did not fail, and how it goes.
 struct OpenHapticsSample : OpenHapticsReading {
-  bool is_withheld = false;  ///< a command was taken back; see OpenHapticsServo
+  bool is_withheld = false;  ///< a command was taken back, or its frame failed; see OpenHapticsServo
   bool has_failed = false;   ///< the device is given up: there are no more callbacks
   OpenHapticsCounts counts;
 };
@@ -49,8 +49,9 @@ struct OpenHapticsSample : OpenHapticsReading {
 ///
 /// The linear velocity is the maker's; the angular one is the difference quotient of the pose over 20 ms, as the
 /// maker's is said not to be usable on all devices and its axes are not documented. Errors: warm motors, exceeded
-/// force, impulse, velocity and force error are counted; with any other, the frame is not believed, and
-/// kMostFailedFrames on end give the device up.
+/// force, impulse, velocity and force error are counted; with any other, the frame is not believed, it and the next
+/// command zero (a command that is not zero is withheld from then on, as above), and kMostFailedFrames on end give the
+/// device up.
 class OpenHapticsServo {
  public:
   static constexpr int kPatience = 20;             ///< callbacks, 20 ms at 1 kHz

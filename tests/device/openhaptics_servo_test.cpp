@@ -18,6 +18,8 @@ namespace {
 using testing::DoubleStateFile;
 using testing::HdOddity;
 
+constexpr int kReadingFails = 0x0302;  // an error of the HD API's: the device does not answer
+
 // The double's library with the test in the place of its scheduler.
 class OpenHapticsServoTest : public ::testing::Test {
  protected:
@@ -144,11 +146,10 @@ TEST_F(OpenHapticsServoTest, CountsErrorsThatAreNone) {
 }
 
 TEST_F(OpenHapticsServoTest, AFrameThatFailsIsNotBelievedAndThreeOnEndAreTheEnd) {
-  const int reading_fails = 0x0302;
   OpenHapticsSample sample = after(servo);
   const std::int64_t time = sample.time;
   for (int i = 1; i < OpenHapticsServo::kMostFailedFrames; ++i) {
-    state->error_once = reading_fails;
+    state->error_once = kReadingFails;
     ASSERT_EQ(call(servo), hd::kCallbackContinue);
   }
   servo.samples().update();
@@ -157,16 +158,64 @@ TEST_F(OpenHapticsServoTest, AFrameThatFailsIsNotBelievedAndThreeOnEndAreTheEnd)
   EXPECT_EQ(sample.counts.failed_frames, 2U);
   EXPECT_EQ(sample.counts.last_failure, 0x0302U);
   EXPECT_FALSE(sample.has_failed);
+  EXPECT_FALSE(sample.is_withheld) << "there was nothing to take back";
   EXPECT_GT(after(servo).time, time) << "not on end";
   for (int i = 1; i < OpenHapticsServo::kMostFailedFrames; ++i) {
-    state->error_once = reading_fails;
+    state->error_once = kReadingFails;
     ASSERT_EQ(call(servo), hd::kCallbackContinue);
   }
-  state->error_once = reading_fails;
+  state->error_once = kReadingFails;
   EXPECT_EQ(call(servo), hd::kCallbackDone);
   EXPECT_TRUE(servo.has_ended());
   servo.samples().update();
   EXPECT_TRUE(servo.samples().get().has_failed);
+}
+
+TEST_F(OpenHapticsServoTest, AFrameThatFailsCommandsZeroAndSoDoTheOthersUntilTheHapticThreadDid) {
+  servo.commands().write(push(2.0));
+  call(servo);
+  ASSERT_EQ(displayed(), 2.0);
+  state->error_once = kReadingFails;
+  servo.commands().write(push(2.1));
+  EXPECT_TRUE(after(servo).is_withheld);
+  EXPECT_EQ(displayed(), 0.0);
+  for (int i = 0; i < 3; ++i) {
+    servo.commands().write(push(2.1));
+    EXPECT_TRUE(after(servo).is_withheld);
+    EXPECT_EQ(displayed(), 0.0) << "it would be a blow";
+  }
+  servo.commands().write({});
+  EXPECT_FALSE(after(servo).is_withheld);
+  servo.commands().write(push(0.5));
+  call(servo);
+  EXPECT_EQ(displayed(), 0.5);
+}
+
+TEST_F(OpenHapticsServoTest, IsGivenUpAtZeroWhateverIsCommandedMeanwhile) {
+  servo.commands().write(push(4.0));
+  call(servo);
+  ASSERT_GT(displayed(), 3.0);
+  for (int i = 1; i <= OpenHapticsServo::kMostFailedFrames; ++i) {
+    servo.commands().write(i == 2 ? PlainWrench{} : push(4.0));
+    state->error_once = kReadingFails;
+    ASSERT_EQ(call(servo), i < OpenHapticsServo::kMostFailedFrames ? hd::kCallbackContinue : hd::kCallbackDone);
+    ASSERT_EQ(displayed(), 0.0) << i;
+  }
+  EXPECT_EQ(state.commanded().force.norm(), 0.0);
+}
+
+// Reading goes well, sending does not, so that the frame is known to have failed after it was ended.
+TEST_F(OpenHapticsServoTest, TheFrameAfterOneWhoseSendingFailedCommandsZero) {
+  servo.commands().write(push(2.0));
+  call(servo);
+  ASSERT_EQ(displayed(), 2.0);
+  state->fail_every = 2;
+  servo.commands().write(push(2.0));
+  if (after(servo).counts.failed_frames == 0) FAIL() << "neither the reading nor the command failed";
+  state->fail_every = 0;
+  servo.commands().write(push(2.0));
+  EXPECT_TRUE(after(servo).is_withheld);
+  EXPECT_EQ(displayed(), 0.0);
 }
 
 TEST_F(OpenHapticsServoTest, APoseThatIsNoneIsToldAsSuch) {

@@ -182,6 +182,15 @@ TEST_F(OpenHapticsTest, GoesOnWhereACallFailsNowAndThen) {
   EXPECT_TRUE(ticks_until(*interface, 1.0, [&] { return displayed() == 1.0; }));
 }
 
+TEST_F(OpenHapticsTest, GivenUpItIsClosedAtZero) {
+  const auto interface = open();
+  ASSERT_TRUE(ticks_until(*interface, 2.0, [&] { return displayed() == 2.0; }));
+  state->fail_every = 1;  // zero does not reach it by a command either
+  ASSERT_TRUE(ticks_until(*interface, 2.0, [&] { return displayed() == 0.0; }));
+  state->fail_every = 0;
+  EXPECT_TRUE(ticks_until(*interface, 2.0, [&] { return displayed() == 2.0; }));
+}
+
 TEST_F(OpenHapticsTest, ASchedulerThatStallsIsLostAndComesBack) {
   const auto interface = open();
   ASSERT_TRUE(comes_true([&] { return is_ok(*interface); }));
