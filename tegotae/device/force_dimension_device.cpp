@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/assumed_ratings.hpp>
 #include <tegotae/device/force_dimension_device.hpp>
 #include <tegotae/device/interface_driver.hpp>
 #include <tegotae/device/interface_options.hpp>
@@ -97,7 +98,7 @@ InterfaceCapability force_dimension_capability(std::string_view model, bool has_
   const double torque = limits.torque > 0.0 ? limits.torque : kUnknownModel.torque;
   result.max_torque = has_active_wrist ? torque : 0.0;
   result.max_stiffness = limits.stiffness;
-  return result;
+  return with_assumed_ratings(result);
 }
 
 ForceDimensionDevice::ForceDimensionDevice(const ForceDimensionLibrary& library, const ForceDimensionOptions& options,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/assumed_ratings.hpp>
 #include <tegotae/device/interface_driver.hpp>
 #include <tegotae/device/interface_options.hpp>
 #include <tegotae/device/openhaptics_device.hpp>
@@ -207,10 +208,12 @@ OpenHapticsDevice::OpenHapticsDevice(const OpenHapticsLibrary& library, const Op
   const double measured =
       static_cast<double>(last.counts.frames - first.counts.frames) / seconds_between(first.time, last.time);
   capability_.rate = std::max(10.0 * std::round(measured / 10.0), 10.0);
+  capability_.delay = 1.0 / capability_.rate;  // at most, until the callback that takes a command
   if (!servo_->turns()) {
     capability_.output_degrees_of_freedom = 3;
     capability_.max_torque = 0.0;
   }
+  capability_ = with_assumed_ratings(capability_);
   if (calibrate_it == Calibrate::kNo) return;
   calibrate();
   await_frames(servo_->samples().get().counts.frames + 2);  // a pose by the new calibration

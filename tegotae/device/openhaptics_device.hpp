@@ -32,7 +32,7 @@ class OpenHapticsDevice final : public OpenDevice {
   OpenHapticsDevice(const OpenHapticsLibrary& library, const OpenHapticsOptions& options, Calibrate calibrate);
   ~OpenHapticsDevice() override;
 
-  /// The rate is that of the servo loop, measured.
+  /// The rate is that of the servo loop, measured; the delay one of its periods.
   InterfaceCapability capability() const override { return capability_; }
   /// kNotReady where the transform is not plausible or a command was withheld; kFailed where the device was given up or
   /// no callback came for 0.1 s.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/assumed_ratings.hpp>
 #include <tegotae/device/interface_driver.hpp>
 #include <tegotae/device/interface_options.hpp>
 #include <tegotae/device/virtuose_device.hpp>
@@ -129,7 +130,7 @@ InterfaceCapability VirtuoseDevice::capability() const {
   result.max_torque = options_.max_torque;
   result.max_stiffness = kAssumedStiffness;
   result.rate = 1.0 / options_.period;
-  return result;
+  return with_assumed_ratings(result);
 }
 
 DeviceAnswer VirtuoseDevice::read(double time, InterfaceState& state) noexcept {

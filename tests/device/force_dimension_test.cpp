@@ -224,6 +224,9 @@ TEST(ForceDimensionCapability, IsThatOfTheModel) {
   EXPECT_EQ(sigma.max_force, 12.0);
   EXPECT_EQ(sigma.max_torque, 0.2);
   EXPECT_EQ(sigma.max_stiffness, 4000.0);
+  EXPECT_DOUBLE_EQ(sigma.max_rotational_stiffness, 10.0);
+  EXPECT_DOUBLE_EQ(sigma.max_damping, 25.0);
+  EXPECT_DOUBLE_EQ(sigma.max_rotational_damping, 0.0625);
   EXPECT_EQ(force_dimension_capability("lambda.7", true, true).max_stiffness, 8000.0);
   EXPECT_EQ(force_dimension_capability("omega.6", true, false).max_torque, 0.0);
   EXPECT_EQ(force_dimension_capability("delta.3", false, false).max_force, 20.0);

@@ -91,6 +91,8 @@ TEST_F(OpenHapticsTest, TellsWhatADeviceOfThreeDegreesCanDo) {
   EXPECT_EQ(capability.max_torque, 0.0);
   EXPECT_NEAR(capability.max_stiffness, 400.0, 1e-9);
   EXPECT_GE(capability.rate, 10.0);
+  EXPECT_EQ(capability.delay, 1.0 / capability.rate) << "a command waits for the next callback";
+  EXPECT_NEAR(capability.max_damping, 4.0, 1e-9);
 }
 
 TEST_F(OpenHapticsTest, TellsWhatADeviceOfSixDegreesCanDo) {
@@ -98,7 +100,11 @@ TEST_F(OpenHapticsTest, TellsWhatADeviceOfSixDegreesCanDo) {
   state->max_force = 8.5;
   state->nominal_stiffness = 800.0;
   EXPECT_NEAR(open()->capability().max_torque, 0.2, 1e-12);
-  EXPECT_NEAR(open()->capability().max_stiffness, 800.0, 1e-9);
+  const InterfaceCapability capability = open()->capability();
+  EXPECT_NEAR(capability.max_stiffness, 800.0, 1e-9);
+  EXPECT_NEAR(capability.max_rotational_stiffness, 2.0, 1e-9);
+  EXPECT_NEAR(capability.max_damping, 8.0, 1e-9);
+  EXPECT_NEAR(capability.max_rotational_damping, 0.02, 1e-9);
   state->max_torque = 2e3;
   state->nominal_stiffness = 4e5;
   EXPECT_EQ(open()->capability().max_torque, 0.188) << "in another unit, it seems: not believed";

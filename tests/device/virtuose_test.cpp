@@ -117,6 +117,9 @@ TEST_F(VirtuoseTest, TheControllerClipsToTheLimitsOfTheOptions) {
   EXPECT_EQ(interface->capability().max_force, 8.0);
   EXPECT_EQ(interface->capability().max_torque, 0.5);
   EXPECT_EQ(interface->capability().rate, 500.0);
+  EXPECT_DOUBLE_EQ(interface->capability().max_rotational_stiffness, 2.5);
+  EXPECT_DOUBLE_EQ(interface->capability().max_damping, 10.0);
+  EXPECT_DOUBLE_EQ(interface->capability().max_rotational_damping, 0.025);
   ASSERT_EQ(interface->write({{{0.0, 20.0, 0.0}, {0.0, 0.0, 2.0}}, 0.0}), InterfaceStatus::kOk);
   EXPECT_NEAR(arm.displayed().force.y(), 8.0, 8.0 * kSingle);
   EXPECT_NEAR(arm.displayed().torque.z(), 0.5, kSingle);
