@@ -10,8 +10,6 @@
 namespace tegotae {
 namespace {
 
-bool is_plane(const PlacedShape& placed) noexcept { return placed.shape->kind == ShapeKind::kPlane; }
-
 ClosestPoints closest_to_plane(const PlaneGap& gap, bool plane_is_object) noexcept {
   ClosestPoints result;
   result.iterations = 1;

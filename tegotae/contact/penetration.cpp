@@ -14,8 +14,6 @@
 namespace tegotae {
 namespace {
 
-bool is_plane(const PlacedShape& placed) noexcept { return placed.shape->kind == ShapeKind::kPlane; }
-
 Penetration into_plane(const PlaneGap& gap, bool plane_is_object) noexcept {
   Penetration result;
   result.iterations = 1;

@@ -24,4 +24,6 @@ struct PlacedShape {
   Vector3 to_shape(const Vector3& p_W) const noexcept { return R_WS.transpose() * (p_W - p_WS); }
 };
 
+inline bool is_plane(const PlacedShape& placed) noexcept { return placed.shape->kind == ShapeKind::kPlane; }
+
 }  // namespace tegotae

@@ -25,8 +25,8 @@ struct ForceDimensionOptions {
 };
 
 /// Force and torque limits (N, N m) and rated stiffness (N/m) of a model by the SDK's name for it; of one that is not
-/// known what the weakest bear. A torque is displayed only where the wrist has motors. Makers' public figures; the other
-/// ratings are assumed_ratings.hpp's.
+/// known what the weakest bear. A torque is displayed only where the wrist has motors. Makers' public figures; the
+/// other ratings are assumed_ratings.hpp's.
 InterfaceCapability force_dimension_capability(std::string_view model, bool has_wrist, bool has_active_wrist);
 
 /// An open device of Force Dimension. Velocities are the SDK's (over the last 20 ms), or finite differences of the pose

@@ -103,14 +103,9 @@ RealtimeReport LiveRun::run(const std::atomic<bool>& stop, const RealtimeObserve
                             std::function<void(const RealtimeRights&, const RealtimeRights&)> on_rights) {
   link_.on_rights = std::move(on_rights);
   constexpr double kWithoutEnd = 1e9;  // s
-  // Looked at in each pass: a run that is paused has no ticks to end by.
-  std::atomic<bool> ending{false};
-  link_.on_pass = [&, pass = std::move(on_pass)] {
-    pass();
-    ending = ended_ || stop;
-  };
+  link_.on_pass = std::move(on_pass);
   HapticInterface& held = device_ != nullptr ? *device_ : *hand_;
-  return run_realtime(physics_, haptics_, held, 1.0 / settings_.haptic_rate, kWithoutEnd, ending, observer, &link_);
+  return run_realtime(physics_, haptics_, held, 1.0 / settings_.haptic_rate, kWithoutEnd, stop, observer, &link_);
 }
 
 void LiveRun::set(std::string_view name, std::optional<double> value) {

@@ -55,7 +55,7 @@ class LiveRun {
   bool is_paused() const noexcept { return link_.paused.load(std::memory_order_relaxed); }
   /// Lets a paused run go on for one period of the physics.
   void step() noexcept;
-  void end() noexcept { ended_ = true; }
+  void end() noexcept { link_.ending = true; }
 
   // Of the simulated hand; with a device they throw InputError.
 
@@ -115,7 +115,6 @@ class LiveRun {
   PhysicsLoop physics_;
   HapticTick haptics_;
   LiveLink link_;
-  bool ended_ = false;
 };
 
 }  // namespace tegotae

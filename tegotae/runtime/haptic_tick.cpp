@@ -87,7 +87,7 @@ void HapticTick::hold_tool(const InterfaceState& state, const Circumstances& cir
   state_.V_WT = {};
   moved_.setZero();
   clutched_ = circumstances.clutched || is_down(state.buttons, mapping_.settings().clutch_button);
-  if (circumstances.interface_lost) guard_.lose();
+  if (circumstances.interface_lost || is_gap(limits_, dt_)) guard_.lose();
   const PoseVerdict verdict = circumstances.interface_lost
                                   ? PoseVerdict::kFault
                                   : guard_.judge({limits_.max_speed, limits_.max_turning_speed}, state, dt_);

@@ -44,6 +44,7 @@ struct LiveLink {
   Mailbox<HapticUpdate> haptic_updates;        ///< in force from the next tick
   LatestValue<PhysicsUpdate> physics_updates;  ///< in force from the next step
   std::atomic<bool> paused{false};             ///< time stands still
+  std::atomic<bool> ending{false};             ///< the run ends, though nobody looks at its ticks
   std::atomic<int> ticks_granted{0};           ///< that haptics may go on by although paused
   std::atomic<int> steps_granted{0};           ///< likewise, of the physics
   /// Whether the interface's time is that of the run, as of simulated ones, and stands still with it. The others are

@@ -11,8 +11,12 @@ namespace {
 // way for it.
 constexpr double kLongestStill = 0.01;
 
+constexpr double kFarthest = 100.0;  // m, of a device's workspace
+
 bool is_pose(const InterfaceState& state) noexcept {
-  return state.X_WT.is_finite() && state.V_WT.is_finite() && state.X_WT.q.squaredNorm() > 0.25;
+  const double square = state.X_WT.q.squaredNorm();
+  return state.X_WT.is_finite() && state.V_WT.is_finite() && square > 0.25 && square < 2.25 &&
+         state.X_WT.p.cwiseAbs().maxCoeff() < kFarthest;
 }
 
 bool is_same(const Pose& a, const Pose& b) noexcept { return a.p == b.p && a.q.coeffs() == b.q.coeffs(); }
@@ -37,11 +41,21 @@ PoseVerdict PoseGuard::judge(const Limits& limits, const InterfaceState& state, 
   if (first || lost_ || !is_same(pose, seen_)) still_ = 0.0;
   seen_ = pose;
   started_ = true;
-  if (!goes_on) return PoseVerdict::kFault;
+  if (!goes_on) {
+    leapt_ = true;
+    proven_ = 0.0;
+    return PoseVerdict::kFault;
+  }
 
   // Readings were refused or missed since the last good one, or it is not known for how long.
   const bool was_away = lost_ || absent_ > 1.5 * elapsed;
-  const bool moved = !first && was_away && !is_near(limits, good_, pose, std::max(allowed, kLongestStill));
+  const double since_good = lost_ ? kLongestStill : std::max(allowed, kLongestStill);
+  const bool moved = !first && was_away && !is_near(limits, good_, pose, since_good);
+  if (moved && leapt_ && !lost_) {
+    proven_ += elapsed;
+    if (proven_ < kProof) return PoseVerdict::kFault;
+  }
+  leapt_ = false;
   lost_ = false;
   good_ = pose;
   absent_ = 0.0;

@@ -19,18 +19,26 @@ constexpr std::chrono::milliseconds kObserverPause{5};
 
 // All that the threads of one run share.
 struct Run {
-  Run(PhysicsLoop& the_physics, HapticTick& the_haptics, HapticInterface& the_interface, LiveLink* the_link)
-      : physics(the_physics), haptics(the_haptics), interface(the_interface), live(the_link) {}
+  Run(PhysicsLoop& the_physics, HapticTick& the_haptics, HapticInterface& the_interface,
+      const std::atomic<bool>& the_stop, LiveLink* the_link)
+      : physics(the_physics), haptics(the_haptics), interface(the_interface), stop(the_stop), live(the_link) {}
 
   // s since the run began, but for the time that it stood still.
   double now() const noexcept {
     return seconds_between(start + stood_still.load(std::memory_order_relaxed), monotonic_nanoseconds());
+  }
+  // Looked at by the haptic thread itself: an observer that is stuck (a full disk, a terminal that stands still) must
+  // not keep a force on the hand.
+  bool is_ending() const noexcept {
+    return ending.load(std::memory_order_acquire) || stop.load(std::memory_order_relaxed) ||
+           (live != nullptr && live->ending.load(std::memory_order_relaxed));
   }
   bool is_paused() const noexcept { return live != nullptr && live->paused.load(std::memory_order_relaxed); }
 
   PhysicsLoop& physics;
   HapticTick& haptics;
   HapticInterface& interface;
+  const std::atomic<bool>& stop;
   LiveLink* live;  ///< null: nobody steers
   std::int64_t start = 0;
   std::atomic<std::int64_t> stood_still{0};  ///< ns, the haptic thread's
@@ -173,7 +181,7 @@ class LivePeriods {
 
 void live_haptic_periods(Run& run, PeriodicTimer& timer) noexcept {
   LivePeriods periods(run);
-  while (!run.ending.load(std::memory_order_acquire)) {
+  while (!run.is_ending()) {
     const auto missed = static_cast<std::uint64_t>(timer.wait());
     const bool goes_on = periods.begin();
     if (goes_on || !run.live->interface_waits) haptic_period(run, timer, missed, !goes_on);
@@ -186,7 +194,7 @@ void haptic_thread(Run& run, double period) {
   run.rights_known.fetch_add(1, std::memory_order_release);
   PeriodicTimer timer(PeriodicTimer::period_of(1.0 / period));
   if (run.live != nullptr) live_haptic_periods(run, timer);
-  while (!run.ending.load(std::memory_order_acquire)) {
+  while (!run.is_ending()) {
     haptic_period(run, timer, static_cast<std::uint64_t>(timer.wait()), false);
   }
   haptic_period(run, timer, static_cast<std::uint64_t>(timer.wait()), true);  // the last command: zero
@@ -212,7 +220,7 @@ void tell_live(Run& run, bool& rights_told) {
 }
 
 // Hands the records to the observer until the run ends.
-void observe(Run& run, double duration, const std::atomic<bool>& stop, const RealtimeObserver& observer) {
+void observe(Run& run, double duration, const RealtimeObserver& observer) {
   bool wanted = true, rights_told = false;
   for (;;) {
     const bool last = run.haptics_done.load(std::memory_order_acquire);
@@ -221,7 +229,7 @@ void observe(Run& run, double duration, const std::atomic<bool>& stop, const Rea
     if (run.live != nullptr) tell_live(run, rights_told);
     if (last) return;
     if (run.live != nullptr && run.physics_failed.load(std::memory_order_acquire)) wanted = false;
-    if (!wanted || stop.load(std::memory_order_relaxed) || run.now() >= duration) {
+    if (!wanted || run.is_ending() || run.now() >= duration) {
       run.ending.store(true, std::memory_order_release);
     }
     std::this_thread::sleep_for(kObserverPause);
@@ -281,7 +289,7 @@ void prime(Run& run) {
 RealtimeReport run_realtime(PhysicsLoop& physics, HapticTick& haptics, HapticInterface& interface,
                             double haptic_period_seconds, double duration, const std::atomic<bool>& stop,
                             const RealtimeObserver& observer, LiveLink* live) {
-  const auto run = std::make_unique<Run>(physics, haptics, interface, live);
+  const auto run = std::make_unique<Run>(physics, haptics, interface, stop, live);
   run->start = monotonic_nanoseconds();
   {
     // Left in the other order: the threads end first.
@@ -292,7 +300,7 @@ RealtimeReport run_realtime(PhysicsLoop& physics, HapticTick& haptics, HapticInt
     threads.haptics =
         std::thread([&run, haptic_period_seconds] { guarded_haptic_thread(*run, haptic_period_seconds); });
     threads.physics = std::thread([&run] { guarded_physics_thread(*run); });
-    observe(*run, duration, stop, observer);
+    observe(*run, duration, observer);
   }
   if (run->haptics_failed != nullptr) std::rethrow_exception(run->haptics_failed);
   run->report.dropped_records = run->records.dropped();

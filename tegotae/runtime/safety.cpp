@@ -47,6 +47,15 @@ bool missed_too_many(const SafetyLimits& limits, SafetyState& state, double elap
   return state.overrun;
 }
 
+}  // namespace
+
+bool is_gap(const SafetyLimits& limits, double elapsed) noexcept {
+  const double allowed = limits.period * (static_cast<double>(limits.max_missed_ticks) + 1.5);
+  return elapsed > std::max(limits.max_gap, allowed);
+}
+
+namespace {
+
 Alarms alarms_of(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input,
                  SafetyOutput& output) noexcept {
   const auto noted = [&output](bool is_so, SafetyEvent event) {
@@ -60,7 +69,7 @@ Alarms alarms_of(const SafetyLimits& limits, SafetyState& state, const SafetyInp
   noted(input.pose_fault || pose_late, SafetyEvent::kPoseFault);
   alarms.hold = noted(!(input.model_age <= limits.max_model_age), SafetyEvent::kPhysicsLate);
   alarms.hold |= missed_too_many(limits, state, input.elapsed, output);
-  alarms.let_go = pose_late;
+  alarms.let_go = pose_late || is_gap(limits, input.elapsed);
   alarms.let_go |= noted(input.clutched, SafetyEvent::kClutched);
   alarms.let_go |= noted(!input.enabled, SafetyEvent::kDeadMan);
   return alarms;

@@ -82,6 +82,9 @@ struct SafetyOutput {
   bool has(SafetyEvent event) const noexcept { return ((events >> static_cast<unsigned>(event)) & 1U) != 0; }
 };
 
+/// Whether the haptic thread stood so long, `elapsed` s, that the hand may be anywhere since.
+bool is_gap(const SafetyLimits& limits, double elapsed) noexcept;
+
 /// The last stage before the interface: no wrench reaches a hand but through here. In the interface's own units. A pure
 /// function of its arguments; does not allocate. In this order:
 ///   1. finite check: a target that is no wrench counts as zero;

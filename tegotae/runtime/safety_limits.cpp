@@ -60,6 +60,7 @@ SafetyLimits without_hand(SafetyLimits limits) noexcept {
   limits.calm_time = 0.0;
   limits.max_speed = limits.max_turning_speed = kInfinite;
   limits.max_missed_ticks = std::numeric_limits<int>::max();
+  limits.max_gap = kInfinite;
   return limits;
 }
 

@@ -47,6 +47,10 @@ struct SafetyLimits {
   /// are 10 ms at 1 kHz: longer than a loaded machine's hiccup, shorter than what a hand feels as a delay.
   int max_missed_ticks = 10;
 
+  /// s that the haptic thread may stand before the hand may be anywhere: after more (a program that was stopped, a call
+  /// that hung) it is as after a lost interface, the ramp waits. A hand at 1 m/s is 50 mm farther by then.
+  double max_gap = 0.05;
+
   /// s, age of the pose that is still trusted, where the interface says how old it is.
   double max_pose_age = 0.02;
 

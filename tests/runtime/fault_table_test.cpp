@@ -244,6 +244,16 @@ TEST_F(FaultTable, PoseLeapsForOneReading) {
   expect_recovers(outcome);
 }
 
+TEST_F(FaultTable, PoseLeapsAsideAndTurnsForAMoment) {
+  const Outcome outcome = run([](Moment& moment) {
+    if (!during(moment, 0.02)) return;
+    moment.state.X_WT.p += Vector3(0.2, -0.2, 0.0);
+    moment.state.X_WT.q = Quaternion(0.0, 1.0, 0.0, 0.0);
+  });
+  expect_safe("pose leaps and turns, for 20 ms", outcome, kAtOnce);
+  expect_recovers(outcome);
+}
+
 TEST_F(FaultTable, PhysicsStalls) {
   const Outcome outcome = run([](Moment& moment) { moment.physics_stalls = during(moment, 2.0); });
   expect_safe("physics stalled 2 s", outcome, limits.max_model_age + limits.fade_time + kPeriod);
@@ -284,6 +294,21 @@ TEST_F(FaultTable, TickOverrun) {
   const Outcome outcome = run([](Moment& moment) { moment.tick_missed = during(moment, 20.0 * kPeriod); });
   expect_safe("tick overrun of 20 ms", outcome, 20.0 * kPeriod + limits.fade_time);
   expect_recovers(outcome);
+}
+
+// A program that was stopped, or a call that hung: where the hand is afterwards it may press only once it has let go.
+TEST_F(FaultTable, HapticThreadStands) {
+  for (const double deeper : {0.0, 0.02, 0.3}) {
+    use("proxy");
+    next_step = 0.0;
+    const Outcome outcome = run([deeper](Moment& moment) {
+      moment.tick_missed = during(moment, 1.0);
+      if (!moment.tick_missed && during(moment, 3.0)) moment.state.X_WT.p.y() -= deeper;
+    });
+    expect_safe("haptic thread stands for 1 s", outcome, 1.0 + limits.fade_time + kPeriod);
+    expect_recovers(outcome);
+    EXPECT_LE(outcome.force, kStiffness * kDepth + 0.1) << "deeper by " << deeper;
+  }
 }
 
 TEST_F(FaultTable, TickOverrunOfAHiccupIsOnlyCounted) {

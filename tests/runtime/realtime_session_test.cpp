@@ -10,6 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <mutex>
@@ -38,6 +40,7 @@ class SwayingHand : public HapticInterface {
     last = command;
     strongest = std::max(strongest, command.wrench.force.norm());
     ++writes;
+    newest = command.wrench.force.norm() + command.wrench.torque.norm();
     return status;
   }
 
@@ -45,6 +48,7 @@ class SwayingHand : public HapticInterface {
   InterfaceCommand last;  // read after the run
   double strongest = 0.0;
   int reads = 0, writes = 0;
+  std::atomic<double> newest{0.0};  // force and torque of the last command, while it runs
 };
 
 SceneGeometry scene_with_a_loose_block() {
@@ -150,6 +154,23 @@ TEST(RealtimeSession, EndsWhenStopped) {
   rig.stop = true;
   const RealtimeReport report = rig.run(3600.0, [](const TickRecord&) { return true; });
   EXPECT_GT(report.haptics.count(), 0u);
+}
+
+// A full disk or a terminal that stands still: the observer hangs, and the force must end all the same.
+TEST(RealtimeSession, StoppedWhileTheObserverHangsTheHandIsToldZeroAtOnce) {
+  Rig rig;
+  bool hung = false;
+  double commanded = -1.0;
+  rig.run(100.0, [&](const TickRecord& record) {
+    if (hung || rig.hand.newest < 0.1 || record.model_sequence == 0) return true;
+    hung = true;
+    rig.stop = true;
+    for (int i = 0; i < 2000; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    commanded = rig.hand.newest;
+    return true;
+  });
+  EXPECT_TRUE(hung);
+  EXPECT_EQ(commanded, 0.0) << "while it still hung";
 }
 
 TEST(RealtimeSession, AnObserverThatThrowsEndsTheRunWithAZeroCommand) {
