@@ -183,11 +183,11 @@ DeviceAnswer ForceDimensionDevice::read(double time, InterfaceState& state) noex
     return DeviceAnswer::kFailed;
   }
   state = {};
-  state.time = time;
   state.X_WT = options_.axes.to_world(p_DG, R_DG);
   state.X_WT.q.normalize();
   history_.add(time, state.X_WT);
   state.V_WT = velocity();
+  state.time = age_.measured(time, state.X_WT, state.V_WT);
   state.buttons = library_.button_mask(id_);
   if (has_gripper_) library_.gripper_gap(&state.gripper, id_);
   return DeviceAnswer::kOk;

@@ -4,6 +4,7 @@
 #include <tegotae/device/axis_map.hpp>
 #include <tegotae/device/force_dimension_library.hpp>
 #include <tegotae/device/open_device.hpp>
+#include <tegotae/device/pose_age.hpp>
 #include <tegotae/device/pose_history.hpp>
 
 #include <optional>
@@ -31,7 +32,7 @@ InterfaceCapability force_dimension_capability(std::string_view model, bool has_
 
 /// An open device of Force Dimension. Velocities are the SDK's (over the last 20 ms), or finite differences of the pose
 /// where it refuses them; without a wrist rotation is the identity and its velocity zero. A positive gripper force
-/// opens, of whichever hand the device is.
+/// opens, of whichever hand the device is. A pose that stands still against the velocity is dated back (PoseAge).
 class ForceDimensionDevice final : public OpenDevice {
  public:
   /// Opens. Where it is not calibrated and `may_move`, and the options and the library allow it, the device moves by
@@ -59,6 +60,7 @@ class ForceDimensionDevice final : public OpenDevice {
   double gripper_sign_ = 1.0;
   InterfaceCapability capability_;
   PoseHistory history_;
+  PoseAge age_;
 };
 
 }  // namespace tegotae

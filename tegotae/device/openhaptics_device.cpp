@@ -266,12 +266,11 @@ void OpenHapticsDevice::calibrate() const {
 DeviceAnswer OpenHapticsDevice::read(double time, InterfaceState& state) noexcept {
   servo_->samples().update();
   const OpenHapticsSample& sample = servo_->samples().get();
-  if (sample.has_failed || seconds_between(sample.time, monotonic_nanoseconds()) > kMostSilence) {
-    return DeviceAnswer::kFailed;
-  }
+  const double age = seconds_between(sample.time, monotonic_nanoseconds());
+  if (sample.has_failed || age > kMostSilence) return DeviceAnswer::kFailed;
   if (!sample.is_plausible || sample.is_withheld) return DeviceAnswer::kNotReady;
   state = {};
-  state.time = time;
+  state.time = time - age;
   state.X_WT = sample.X_WT;
   state.V_WT = sample.V_WT;
   state.buttons = sample.buttons;

@@ -35,7 +35,7 @@ class OpenHapticsDevice final : public OpenDevice {
   /// The rate is that of the servo loop, measured; the delay one of its periods.
   InterfaceCapability capability() const override { return capability_; }
   /// kNotReady where the transform is not plausible or a command was withheld; kFailed where the device was given up or
-  /// no callback came for 0.1 s.
+  /// no callback came for 0.1 s. The state's time is that of the callback that read it.
   DeviceAnswer read(double time, InterfaceState& state) noexcept override;
   DeviceAnswer write(const InterfaceCommand& command) noexcept override;
 

@@ -146,9 +146,9 @@ DeviceAnswer VirtuoseDevice::read(double time, InterfaceState& state) noexcept {
   Quaternion q(pose[6], pose[3], pose[4], pose[5]);
   q.coeffs() /= q.norm();
   state = {};
-  state.time = time;
   state.X_WT = options_.axes.to_world(p, q.toRotationMatrix());
   state.V_WT = {options_.axes.to_world(v), options_.axes.to_world(w)};
+  state.time = age_.measured(time, state.X_WT, state.V_WT);
   state.buttons = buttons();
   return power == 1 ? DeviceAnswer::kOk : DeviceAnswer::kNotReady;
 }

@@ -3,6 +3,7 @@
 
 #include <tegotae/device/axis_map.hpp>
 #include <tegotae/device/open_device.hpp>
+#include <tegotae/device/pose_age.hpp>
 #include <tegotae/device/virtuose_library.hpp>
 
 #include <array>
@@ -53,6 +54,7 @@ class VirtuoseDevice final : public OpenDevice {
   void* context_;
   std::array<int, kMostButtons> numbers_{};  ///< of the buttons that there are
   int button_count_ = 0;
+  PoseAge age_;
 };
 
 }  // namespace tegotae

@@ -218,6 +218,40 @@ TEST_F(ForceDimensionTest, AWristWithoutMotorsIsMeasuredAlone) {
   EXPECT_LT(rotation_vector(state.X_WT.q * X_DG.q.conjugate()).norm(), 1e-15);
 }
 
+// The double's clock goes on with the loop's; its grip moves in a hand that is elsewhere.
+TEST_F(ForceDimensionTest, APoseThatFreezesInMotionIsDatedBackToItsLastChange) {
+  sigma.move_hand({{0.2, 0.02, -0.03}, X_DG.q});
+  const auto interface = open();
+  int tick = 0;
+  const auto age = [&] {
+    ++tick;
+    sigma->manual_time.store(1 + std::int64_t{1'000'000} * tick);
+    EXPECT_EQ(interface->read(1e-3 * tick, state), InterfaceStatus::kOk);
+    return 1e-3 * tick - state.time;
+  };
+  for (int i = 0; i < 60; ++i) ASSERT_EQ(age(), 0.0);
+  ASSERT_GT(state.V_WT.linear.norm(), 0.05);
+  sigma->frozen_pose.store(true);
+  age();  // the reading that freezes may still be new
+  for (int i = 1; i < 25; ++i) ASSERT_EQ(age(), 0.0) << i;
+  for (int i = 0; i < 10; ++i) age();
+  const double first = age();
+  EXPECT_GT(first, PoseAge::kLongestStill);
+  EXPECT_NEAR(age(), first + 1e-3, 1e-9);
+  sigma->frozen_pose.store(false);
+  EXPECT_EQ(age(), 0.0);
+}
+
+TEST_F(ForceDimensionTest, APoseThatRestsIsNew) {
+  for (auto& each : sigma->twist) each.store(0.0);
+  sigma->frozen_pose.store(true);
+  const auto interface = open();
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_EQ(interface->read(1e-3 * i, state), InterfaceStatus::kOk);
+    ASSERT_EQ(state.time, 1e-3 * i);
+  }
+}
+
 TEST(ForceDimensionCapability, IsThatOfTheModel) {
   const InterfaceCapability sigma = force_dimension_capability("sigma.7", true, true);
   EXPECT_EQ(sigma.name, "force-dimension:sigma.7");

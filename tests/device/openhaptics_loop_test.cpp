@@ -40,9 +40,13 @@ class OpenHapticsLoop {
     const std::atomic<bool> stop{false};
     return run_realtime(physics, haptics, *interface, 1e-3, 60.0, stop, [&](const TickRecord& record) {
       greatest = std::max(greatest, record.displayed.force.vector().norm());
-      // Nothing is felt before the hand has been where the tool is free.
-      const bool ramping = ((record.safety_events >> static_cast<unsigned>(SafetyEvent::kRamping)) & 1U) != 0;
-      if (is_lifted && ramping) press();
+      const auto is_told = [&](SafetyEvent event) {
+        return ((record.safety_events >> static_cast<unsigned>(event)) & 1U) != 0;
+      };
+      // Nothing is felt before the hand has been where the tool is free; nor again, where a busy machine kept the servo
+      // loop from its callbacks, so that the pose grew old or the command was taken back.
+      if (is_lifted && is_told(SafetyEvent::kRamping)) press();
+      if (!is_lifted && is_told(SafetyEvent::kWaiting)) lift();
       return !ends();
     });
   }
