@@ -26,7 +26,10 @@ InterfacePresence find_virtuose() {
 std::unique_ptr<HapticInterface> open_virtuose(std::string_view text) {
   const VirtuoseOptions options = VirtuoseOptions::parse(text);
   const VirtuoseLibrary library(VirtuoseLibrary::find());
-  const auto open_again = [library, options] { return std::make_unique<VirtuoseDevice>(library, options); };
+  const auto stopped = std::make_shared<std::atomic<bool>>(false);
+  const auto open_again = [library, options, stopped] {
+    return std::make_unique<VirtuoseDevice>(library, options, stopped);
+  };
   auto device = open_again();
   return std::make_unique<ReconnectingInterface>(std::move(device), open_again);
 }

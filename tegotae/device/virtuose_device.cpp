@@ -4,7 +4,9 @@
 #include <tegotae/device/interface_options.hpp>
 #include <tegotae/device/virtuose_device.hpp>
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace tegotae {
 namespace {
@@ -39,7 +41,7 @@ bool let_go(const VirtuoseLibrary& library, void* context) noexcept {
 // What the manual wants before the command type, and the command type. Null: done; else what was refused.
 const char* configure(const VirtuoseLibrary& library, void* context, double period) noexcept {
   float identity[7] = {0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F};
-  if (library.set_indexing_mode(context, VirtuoseLibrary::kIndexingWithoutForce) != 0) return "the indexing mode";
+  if (library.set_indexing_mode(context, VirtuoseLibrary::kNoIndexing) != 0) return "the indexing mode";
   if (library.set_force_factor(context, 1.0F) != 0) return "the force factor";
   if (library.set_speed_factor(context, 1.0F) != 0) return "the speed factor";
   if (library.set_time_step(context, static_cast<float>(period)) != 0) return "the time step";
@@ -68,8 +70,12 @@ VirtuoseOptions VirtuoseOptions::parse(std::string_view text) {
   return options;
 }
 
-VirtuoseDevice::VirtuoseDevice(const VirtuoseLibrary& library, const VirtuoseOptions& options)
-    : library_(library), options_(options), context_(library_.open(options_.address.c_str())) {
+VirtuoseDevice::VirtuoseDevice(const VirtuoseLibrary& library, const VirtuoseOptions& options,
+                               EmergencyStopMemory stopped)
+    : library_(library),
+      options_(options),
+      stopped_(std::move(stopped)),
+      context_(library_.open(options_.address.c_str())) {
   if (context_ == nullptr) {
     refuse_virtuose("the controller at " + options_.address + " cannot be opened (" + library_.error(nullptr) +
                     "): check that it is on, that this machine reaches it, and that no other program has it.");
@@ -97,30 +103,63 @@ void VirtuoseDevice::prepare() const {
   if (library_.get_emergency_stop(context_, &chain_is_closed) != 0 || chain_is_closed != 1) {
     refuse_virtuose("the emergency stop is pressed or not plugged in: release it.");
   }
+  const int power = stopped_->load() ? 0 : 1;
   if (!command_zero(library_, context_) || library_.enable_force_feedback(context_, 1) != 0 ||
-      library_.set_power(context_, 1) != 0) {
+      library_.set_power(context_, power) != 0) {
     refuse_virtuose("force feedback cannot be switched on (" + library_.error(context_) + ").");
   }
 }
 
-// The headers do not say whether the first button is 0 or 1: those that answer count, in their order.
+// A number that answers once exists: asking for each of them at every tick is a call too many, and one that fails now
+// may be a packet that was lost.
 void VirtuoseDevice::find_buttons() noexcept {
-  for (int number = 0; number < kMostButtons; ++number) {
+  constexpr int kTries = 3;
+  for (int i = 0; i < kTries * kMostButtons; ++i) {
     int pressed = 0;
-    if (library_.get_button(context_, number, &pressed) == 0) {
-      numbers_[static_cast<std::size_t>(button_count_++)] = number;
-    }
+    const int number = i % kMostButtons;
+    if (library_.get_button(context_, number, &pressed) == 0) existing_buttons_ |= std::uint32_t{1} << number;
   }
 }
 
 std::uint32_t VirtuoseDevice::buttons() const noexcept {
   std::uint32_t bits = 0;
-  for (int i = 0; i < button_count_; ++i) {
+  for (int number = 0; number < kMostButtons; ++number) {
+    const std::uint32_t bit = std::uint32_t{1} << number;
     int pressed = 0;
-    const int result = library_.get_button(context_, numbers_[static_cast<std::size_t>(i)], &pressed);
-    if (result == 0 && pressed == 1) bits |= std::uint32_t{1} << i;
+    if ((existing_buttons_ & bit) != 0 && library_.get_button(context_, number, &pressed) == 0 && pressed == 1) {
+      bits |= bit;
+    }
   }
   return bits;
+}
+
+bool VirtuoseDevice::is_shifting() const noexcept {
+  int shifting = 0;
+  return library_.is_shifting != nullptr && library_.is_shifting(context_, &shifting) == 0 && shifting == 1;
+}
+
+// At each tick while the chain is open, as a single call may fail.
+void VirtuoseDevice::stop() noexcept {
+  stopped_->store(true);
+  had_no_power_ = false;
+  released_readings_ = 0;
+  command_zero(library_, context_);
+  library_.set_power(context_, 0);
+}
+
+// The chain is closed. Power that comes back by itself with it is switched off again: what comes after that is a
+// person's doing, and so is a button after none was pressed for a while (asking may fail while one is held).
+bool VirtuoseDevice::waits_for_a_person(bool has_power, std::uint32_t buttons) noexcept {
+  if (!stopped_->load()) return false;
+  const bool is_pressed = released_readings_ >= kReleased && buttons != 0;
+  if ((had_no_power_ && has_power) || (is_pressed && library_.set_power(context_, 1) == 0)) {
+    stopped_->store(false);
+    return false;
+  }
+  if (!had_no_power_) library_.set_power(context_, 0);
+  had_no_power_ = had_no_power_ || !has_power;
+  released_readings_ = buttons == 0 ? std::min(released_readings_ + 1, kReleased) : 0;
+  return true;
 }
 
 InterfaceCapability VirtuoseDevice::capability() const {
@@ -136,8 +175,12 @@ InterfaceCapability VirtuoseDevice::capability() const {
 DeviceAnswer VirtuoseDevice::read(double time, InterfaceState& state) noexcept {
   int chain_is_closed = 0, power = 0;
   float pose[7], speed[6];
-  if (library_.get_emergency_stop(context_, &chain_is_closed) != 0 || chain_is_closed != 1 ||
-      library_.get_power(context_, &power) != 0 || library_.get_pose(context_, pose) != 0 ||
+  if (library_.get_emergency_stop(context_, &chain_is_closed) != 0) return DeviceAnswer::kFailed;
+  if (chain_is_closed != 1) {
+    stop();
+    return DeviceAnswer::kNotReady;
+  }
+  if (library_.get_power(context_, &power) != 0 || library_.get_pose(context_, pose) != 0 ||
       library_.get_speed(context_, speed) != 0) {
     return DeviceAnswer::kFailed;
   }
@@ -150,7 +193,8 @@ DeviceAnswer VirtuoseDevice::read(double time, InterfaceState& state) noexcept {
   state.V_WT = {options_.axes.to_world(v), options_.axes.to_world(w)};
   state.time = age_.measured(time, state.X_WT, state.V_WT);
   state.buttons = buttons();
-  return power == 1 ? DeviceAnswer::kOk : DeviceAnswer::kNotReady;
+  const bool waits = waits_for_a_person(power == 1, state.buttons);
+  return power == 1 && !waits && !is_shifting() ? DeviceAnswer::kOk : DeviceAnswer::kNotReady;
 }
 
 DeviceAnswer VirtuoseDevice::write(const InterfaceCommand& given) noexcept {

@@ -6,7 +6,9 @@
 #include <tegotae/device/pose_age.hpp>
 #include <tegotae/device/virtuose_library.hpp>
 
-#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -23,16 +25,23 @@ struct VirtuoseOptions {
   static VirtuoseOptions parse(std::string_view text);
 };
 
+/// Whether power waits for a person: one for all openings of a device, so that no opening forgets it.
+using EmergencyStopMemory = std::shared_ptr<std::atomic<bool>>;
+
 /// A Virtuose of Haption under impedance control: pose in, wrench out. Position, speed and force stand in one frame,
-/// the observation frame, put on the base frame; the device's own offset button ("indexing") holds the pose still and
-/// the force at zero while it is pressed. While the device has no power (its switch, its dead-man's sensor) it answers
-/// kNotReady; with the emergency-stop chain open kFailed, so that it is opened anew when the chain closes.
+/// the observation frame, put on the base frame. The device's own offset ("indexing") is switched off. kNotReady while
+/// the device has no power (its switch, its dead-man's sensor) or says that its offset button is pressed.
+///
+/// With the emergency-stop chain open power is switched off, and stays off when the chain closes: kNotReady until a
+/// person switches it on at the device, or presses a button of the grip after the chain closed (which switches it on),
+/// also where the device was lost and opened again meanwhile.
 class VirtuoseDevice final : public OpenDevice {
  public:
   static constexpr int kMostButtons = 8;
+  static constexpr int kReleased = 50;  ///< readings without a button, before one that is pressed is a person's
 
-  /// Opens and switches power on. Throws InterfaceError.
-  VirtuoseDevice(const VirtuoseLibrary& library, const VirtuoseOptions& options);
+  /// Opens; switches power on where `stopped` does not forbid it. Throws InterfaceError.
+  VirtuoseDevice(const VirtuoseLibrary& library, const VirtuoseOptions& options, EmergencyStopMemory stopped);
   ~VirtuoseDevice() override;
 
   /// The limits are those of the options: what programs clamp to, as models differ.
@@ -48,13 +57,20 @@ class VirtuoseDevice final : public OpenDevice {
   void prepare() const;
   void find_buttons() noexcept;
   std::uint32_t buttons() const noexcept;
+  bool is_shifting() const noexcept;
+  void stop() noexcept;
+  bool waits_for_a_person(bool has_power, std::uint32_t buttons) noexcept;
 
   VirtuoseLibrary library_;
   VirtuoseOptions options_;
+  EmergencyStopMemory stopped_;
   void* context_;
-  std::array<int, kMostButtons> numbers_{};  ///< of the buttons that there are
-  int button_count_ = 0;
+  std::uint32_t existing_buttons_ = 0;  ///< a bit each that answers
   PoseAge age_;
+
+  // Since the chain was open, or since the device was opened.
+  bool had_no_power_ = false;
+  int released_readings_ = 0;  ///< on end without a button, up to kReleased
 };
 
 }  // namespace tegotae

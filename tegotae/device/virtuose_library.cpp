@@ -39,6 +39,7 @@ VirtuoseLibrary::VirtuoseLibrary(const VendorLibrary& library) {
   library.require("virtSetPowerOn", set_power);
   library.require("virtGetPowerOn", get_power);
   library.require("virtGetEmergencyStop", get_emergency_stop);
+  library.look_for("virtIsInShiftPosition", is_shifting);
   library.require("virtGetButton", get_button);
   library.require("virtGetPosition", get_pose);
   library.require("virtGetSpeed", get_speed);

@@ -12,8 +12,9 @@ namespace tegotae {
 struct VirtuoseLibrary {
   static constexpr int kVersion = 4;  ///< others have another interface in binary
   static constexpr int kImpedance = 3;
-  /// The offset button moves the hand without the tool, and without force meanwhile.
-  static constexpr int kIndexingWithoutForce = 3;
+  /// The pose follows the hand always. In the other modes the offset button, or no power, holds it still; some take the
+  /// force meanwhile, and give it back in one step.
+  static constexpr int kNoIndexing = 2;
 
   static VendorLibrary find();
   /// Throws InterfaceError where `library` is not loaded, is of another version or lacks a function.
@@ -41,6 +42,7 @@ struct VirtuoseLibrary {
   int (*set_power)(void*, int on) = nullptr;
   int (*get_power)(void*, int* on) = nullptr;
   int (*get_emergency_stop)(void*, int* chain_is_closed) = nullptr;  ///< 1: it may run
+  int (*is_shifting)(void*, int* shifting) = nullptr;  ///< by the offset button; null in versions without it
   int (*get_button)(void*, int number, int* pressed) = nullptr;
   int (*get_pose)(void*, float pose[7]) = nullptr;
   int (*get_speed)(void*, float speed[6]) = nullptr;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/virtuose.hpp>
+#include <tegotae/device/virtuose_device.hpp>
 #include <tegotae/math/rotation.hpp>
 
 #include <tests/allocation_counter.hpp>
@@ -44,6 +45,17 @@ class VirtuoseTest : public ::testing::Test {
 
   static std::unique_ptr<HapticInterface> open(const std::string& options = "") {
     return virtuose_driver().open("arm.local#5125" + options);
+  }
+
+  bool stays_lost(HapticInterface& interface) {
+    for (int i = 0; i < 2 * VirtuoseDevice::kReleased; ++i) {
+      if (interface.read(0.0, state) != InterfaceStatus::kLost) return false;
+    }
+    return true;
+  }
+  bool reads_after_a_tick(HapticInterface& interface) {
+    interface.read(0.0, state);
+    return interface.read(0.0, state) == InterfaceStatus::kOk;
   }
 
   const InterfaceDriver& driver = virtuose_driver();
@@ -98,8 +110,7 @@ TEST_F(VirtuoseTest, RenamesAxesWhereAskedTo) {
   EXPECT_EQ(arm.displayed().force, Vector3(-2.0, 1.0, 3.0));
 }
 
-// Whichever number the first button has: the first that answers is the lowest bit.
-TEST_F(VirtuoseTest, ButtonsCountFromTheFirstThatAnswers) {
+TEST_F(VirtuoseTest, AButtonIsTheBitOfItsNumberWhicheverIsTheFirst) {
   for (const int first : {0, 1}) {
     arm->first_button.store(first);
     arm->button_count.store(3);
@@ -107,8 +118,18 @@ TEST_F(VirtuoseTest, ButtonsCountFromTheFirstThatAnswers) {
     for (const unsigned buttons : {0u, 1u, 4u, 7u}) {
       arm->buttons.store(buttons);
       ASSERT_EQ(interface->read(0.0, state), InterfaceStatus::kOk);
-      EXPECT_EQ(state.buttons, buttons) << first;
+      EXPECT_EQ(state.buttons, buttons << first);
     }
+  }
+}
+
+TEST_F(VirtuoseTest, QueriesThatFailWhileItIsOpenedShiftNoButton) {
+  for (const int failing : {1, 8, 12}) {
+    arm->failed_buttons.store(failing);
+    const auto interface = open();
+    arm->buttons.store(2);
+    ASSERT_EQ(interface->read(0.0, state), InterfaceStatus::kOk);
+    EXPECT_EQ(state.buttons, 2u) << failing;
   }
 }
 
@@ -171,14 +192,82 @@ TEST_F(VirtuoseTest, WithoutPowerItIsLostAndGoesOnWithoutOpeningAnew) {
   EXPECT_EQ(arm->opens.load(), 1u);
 }
 
-TEST_F(VirtuoseTest, AfterAnEmergencyStopItIsOpenedAnew) {
+// The force would come back in one step.
+TEST_F(VirtuoseTest, TheOffsetButtonNeitherSilencesTheForceNorGoesUnseen) {
+  const auto interface = open();
+  ASSERT_EQ(interface->write({push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
+  arm->offset_button.store(true);
+  EXPECT_EQ(interface->read(0.0, state), InterfaceStatus::kLost) << "so the loop commands zero and begins its ramp";
+  ASSERT_EQ(interface->write({push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
+  EXPECT_EQ(arm.displayed().force.x(), 1.0) << "the command alone says what is displayed";
+  arm->offset_button.store(false);
+  EXPECT_EQ(interface->read(0.0, state), InterfaceStatus::kOk);
+  EXPECT_EQ(arm->opens.load(), 1u);
+}
+
+TEST_F(VirtuoseTest, AfterAnEmergencyStopPowerWaitsForAButton) {
+  const auto interface = open();
+  ASSERT_EQ(interface->write({push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
+  arm->buttons.store(1);  // held all the time
+  arm->emergency_stop.store(true);
+  EXPECT_TRUE(stays_lost(*interface));
+  EXPECT_EQ(arm.commanded().force.norm(), 0.0);
+  arm->emergency_stop.store(false);
+  EXPECT_TRUE(stays_lost(*interface)) << "the chain closed";
+  EXPECT_FALSE(arm->powered.load());
+  arm->buttons.store(0);
+  arm->failed_buttons.store(20);
+  EXPECT_TRUE(stays_lost(*interface));
+  arm->buttons.store(2);
+  EXPECT_TRUE(reads_after_a_tick(*interface)) << "pressed after the chain closed";
+  EXPECT_TRUE(arm->powered.load());
+  EXPECT_EQ(arm->opens.load(), 1u);
+}
+
+TEST_F(VirtuoseTest, AButtonThatIsHeldIsNotPressedWhereAskingForItFails) {
+  const auto interface = open();
+  arm->buttons.store(1);
+  arm->emergency_stop.store(true);
+  interface->read(0.0, state);
+  arm->emergency_stop.store(false);
+  EXPECT_TRUE(stays_lost(*interface));
+  arm->failed_buttons.store(20);  // ten readings of two buttons
+  EXPECT_TRUE(stays_lost(*interface));
+  EXPECT_FALSE(arm->powered.load());
+}
+
+TEST_F(VirtuoseTest, AfterAnEmergencyStopPowerSwitchedOnAtTheDeviceIsEnough) {
   const auto interface = open();
   arm->emergency_stop.store(true);
-  for (int i = 0; i < 50; ++i) EXPECT_EQ(interface->read(0.0, state), InterfaceStatus::kLost);
-  ASSERT_TRUE(comes_true([&] { return arm->opens.load() >= 2; }));  // refused again: still pressed
-  EXPECT_EQ(interface->read(0.0, state), InterfaceStatus::kLost);
+  EXPECT_TRUE(stays_lost(*interface));
+  arm->powered.store(true);  // its switch says so, and the chain keeps it off
+  EXPECT_TRUE(stays_lost(*interface));
+  arm->powered.store(true);
   arm->emergency_stop.store(false);
-  ASSERT_TRUE(comes_true([&] { return interface->read(0.0, state) == InterfaceStatus::kOk; }));
+  EXPECT_TRUE(stays_lost(*interface)) << "power that comes by itself with the chain is switched off";
+  EXPECT_FALSE(arm->powered.load());
+  arm->powered.store(true);
+  EXPECT_TRUE(reads_after_a_tick(*interface));
+}
+
+TEST_F(VirtuoseTest, AnEmergencyStopIsNotForgottenWhereTheDeviceIsOpenedAnew) {
+  const auto interface = open();
+  arm->emergency_stop.store(true);
+  EXPECT_TRUE(stays_lost(*interface));
+  arm.unplug();
+  arm->emergency_stop.store(false);
+  EXPECT_TRUE(stays_lost(*interface));
+  arm.plug_in();
+  ASSERT_TRUE(comes_true([&] { return interface->read(0.0, state), arm->opens.load() >= 2; }));
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(stays_lost(*interface));
+  EXPECT_FALSE(arm->powered.load());
+  // The thread that opens it hands it over a moment after.
+  ASSERT_TRUE(comes_true([&] {
+    arm->buttons.store(0);
+    if (!stays_lost(*interface)) return false;
+    arm->buttons.store(1);
+    return reads_after_a_tick(*interface);
+  }));
   EXPECT_TRUE(arm->powered.load());
 }
 

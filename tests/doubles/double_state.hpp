@@ -69,7 +69,9 @@ struct DoubleState {
   std::atomic<bool> uncalibrated{false};      ///< until the library calibrates it
   std::atomic<bool> cannot_calibrate{false};
   std::atomic<bool> emergency_stop{false}, power_off{false}, hand_off{false};  ///< hand_off: dead-man's switch let go
-  std::atomic<int> error_once{0};  ///< number of a maker's error that the next reading or command raises
+  std::atomic<bool> offset_button{false};  ///< pressed: no force, where the library was told so
+  std::atomic<int> failed_buttons{0};      ///< so many times more, asking for a button fails
+  std::atomic<int> error_once{0};          ///< number of a maker's error that the next reading or command raises
 
   // What the device does.
   std::array<std::atomic<double>, 7> pose{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};  ///< true: x y z qw qx qy qz

@@ -19,11 +19,12 @@ constexpr int kCommunication = 2;
 constexpr int kIncorrectValue = 9;
 constexpr int kWrongMode = 17;
 constexpr int kImpedance = 3;
+constexpr int kNoIndexing = 2;
 
 // What the maker's library keeps of a connection. Its order of calls is checked as the manual has it: factors, frames
 // and time step before the command type, the command type before power and force.
 struct Context {
-  std::atomic<int> command_type{0};
+  std::atomic<int> command_type{0}, indexing_mode{0};
   std::atomic<float> force_factor{0.0F}, speed_factor{0.0F}, time_step{0.0F}, most_force{0.0F}, most_torque{0.0F};
   std::atomic<bool> base_frame{false}, observation_frame{false}, feedback{false};
 };
@@ -72,6 +73,11 @@ bool drives(const DoubleState& state) {
   return state.powered.load() && !state.power_off.load() && !state.emergency_stop.load() && !state.hand_off.load();
 }
 
+// The offset button silences the force, unless it was told to do nothing.
+bool is_shifted(const DoubleState& state) {
+  return state.offset_button.load() && connection.indexing_mode.load() != kNoIndexing;
+}
+
 }  // namespace
 
 #define TEGOTAE_EXPORT extern "C" __attribute__((visibility("default")))
@@ -91,6 +97,7 @@ TEGOTAE_EXPORT void* virtOpen(const char* name) {
     return nullptr;
   }
   connection.command_type.store(0);
+  connection.indexing_mode.store(0);
   connection.feedback.store(false);
   connection.most_force.store(0.0F);
   connection.most_torque.store(0.0F);
@@ -115,8 +122,10 @@ TEGOTAE_EXPORT const char* virtGetErrorMessage(int code) {
   }
 }
 
-TEGOTAE_EXPORT int virtSetIndexingMode(void* context, int /*mode*/) {
-  return is_connected(context) ? 0 : failed(kCommunication);
+TEGOTAE_EXPORT int virtSetIndexingMode(void* context, int mode) {
+  if (!is_connected(context)) return failed(kCommunication);
+  connection.indexing_mode.store(mode);
+  return 0;
 }
 TEGOTAE_EXPORT int virtSetForceFactor(void* context, float factor) {
   return set(context, connection.force_factor, factor, factor > 0.0F);
@@ -169,9 +178,16 @@ TEGOTAE_EXPORT int virtGetEmergencyStop(void* context, int* closed) {
 TEGOTAE_EXPORT int virtGetDeadMan(void* context, int* present) {
   return tell(context, present, [](const DoubleState& state) { return !state.hand_off.load(); });
 }
+TEGOTAE_EXPORT int virtIsInShiftPosition(void* context, int* shifting) {
+  return tell(context, shifting, [](const DoubleState& state) { return state.offset_button.load(); });
+}
 TEGOTAE_EXPORT int virtGetButton(void* context, int number, int* pressed) {
-  const DoubleState* state = device().state();
+  DoubleState* state = device().state();
   if (!is_connected(context) || state == nullptr) return failed(kCommunication);
+  if (state->failed_buttons.load() > 0) {
+    state->failed_buttons.fetch_sub(1);
+    return failed(kCommunication);
+  }
   const int bit = number - state->first_button.load();
   if (bit < 0 || bit >= state->button_count.load()) return failed(kIncorrectValue);
   *pressed = static_cast<int>((state->buttons.load() >> bit) & 1U);
@@ -200,6 +216,7 @@ TEGOTAE_EXPORT int virtSetForce(void* context, const float* force) {
   if (connection.command_type.load() != kImpedance) return failed(kWrongMode);
   const Wrench wrench{Vector3(force[0], force[1], force[2]), Vector3(force[3], force[4], force[5])};
   const DoubleState* state = device().state();
+  if (state != nullptr && is_shifted(*state)) return device().command({}, 0.0) ? 0 : failed(kCommunication);
   const bool powered = state != nullptr && drives(*state);
   return device().command(powered ? clipped(wrench) : wrench, 0.0) ? 0 : failed(kCommunication);
 }
