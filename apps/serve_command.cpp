@@ -14,6 +14,7 @@
 #include <tegotae/lab/scene_file.hpp>
 
 #include <fmt/format.h>
+#include <sys/prctl.h>
 
 #include <algorithm>
 #include <cmath>
@@ -84,8 +85,12 @@ HeldInterface hold_interface(const std::string& text) {
   listen_for_interruption();  // from here on a signal leaves by way of the interface's destructor
   HeldInterface held;
   if (driver.silence != nullptr) {
+    // A core dump would keep the sockets open while it is written, and the device at its last force.
+    prctl(PR_SET_DUMPABLE, 0);
     held.guard = std::make_unique<GuardProcess>("/proc/self/exe", std::vector<std::string>{"guard", text});
   }
+  fmt::print("tegotae: opening {}; a device that is not calibrated may move by itself: hands off.\n", text);
+  std::fflush(stdout);
   held.device = driver.open(name.options);
   const InterfaceCapability capability = held.device->capability();
   const std::string limits = std::isfinite(capability.max_force)
@@ -101,11 +106,29 @@ void tell_remarks(HapticInterface* device) {
   if (!remarks.empty()) log(NoticeLevel::kWarning, remarks);
 }
 
+void tell_safeguards(const SettingsRequest& settings) {
+  if (settings.beyond_rating.value_or(0.0) != 0.0) {
+    log(NoticeLevel::kWarning,
+        "stiffness and damping are not held to what the interface is rated for (--beyond-rating).");
+  }
+  if (settings.energy_bound.value_or(1.0) == 0.0) {
+    log(NoticeLevel::kWarning, "the energy bound is off: a stiff contact may vibrate (--energy-bound).");
+  }
+  if (settings.dead_man_button) {
+    log(NoticeLevel::kInfo,
+        fmt::format("nothing is felt but while button {:g} of the interface is held down.", *settings.dead_man_button));
+  }
+}
+
 void serve(const ServeOptions& options) {
   if (options.interface != "page" && !options.experiment.empty()) {
     throw UsageError("an experiment plays a motion of its own; give either --experiment or --interface, not both.");
   }
+  if (options.interface == "page" && options.settings.checked().dead_man_button) {
+    throw UsageError("the page has no buttons: --dead-man-button would silence it for ever; leave it out.");
+  }
   const HeldInterface held = hold_interface(options.interface);
+  tell_safeguards(options.settings.checked());
   ViewerServer server(options.serving.server_options());
   LiveSessionOptions session_wanted = session_options(options);
   session_wanted.device = held.device.get();

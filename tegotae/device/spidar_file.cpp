@@ -13,6 +13,11 @@
 namespace tegotae {
 namespace {
 
+// Beyond these a number was given in another unit: a frame stands on a table, a pulse is a step of a pulley.
+constexpr double kFarthestPlace = 5.0;     // m
+constexpr double kLargestPulse = 1e-3;     // m
+constexpr double kLargestTension = 200.0;  // N
+
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& file) : file_(file.string()) {}
@@ -28,6 +33,10 @@ class Reader {
       line_ = 0;
       refuse("it has " + std::to_string(count_) + " strings and a SPIDAR-G6 has 8; add a line 'string' for each");
     }
+    if (!unused_.empty()) {
+      line_ = unused_line_;
+      refuse("'" + unused_ + "' holds for the strings below it, and there are none; write it above them");
+    }
     return geometry_;
   }
 
@@ -37,18 +46,32 @@ class Reader {
 
  private:
   void take(const std::string& word, std::istringstream& words) {
+    if (word == "metres_per_pulse" || word == "volts_per_newton" || word == "tension" || word == "left_handed") {
+      unused_ = word;
+      unused_line_ = line_;
+    }
     if (word == "name") {
       if (!(words >> geometry_.name)) refuse("'name' needs a name; write 'name NAME'");
+      if (geometry_.name.find('/') != std::string::npos) refuse("a name with '/' would be a path; leave it out");
       expect_end(words);
     } else if (word == "metres_per_pulse") {
       common_.metres_per_pulse = number(word, words);
+      if (!(common_.metres_per_pulse > 0.0 && common_.metres_per_pulse <= kLargestPulse)) {
+        refuse("'metres_per_pulse' must be above 0 and at most 1e-3 m; a sign stands at the end of its 'string'");
+      }
+      has_pulse_ = true;
     } else if (word == "volts_per_newton") {
       common_.volts_per_newton = number(word, words);
+      has_volts_ = true;
     } else if (word == "tension") {
       const std::vector<double> values = numbers(words);
       if (values.size() != 2) refuse("'tension' needs two numbers; write 'tension LEAST GREATEST', in newtons");
       common_.min_tension = values[0];
       common_.max_tension = values[1];
+      if (!(0.0 < values[0] && values[0] < values[1] && values[1] <= kLargestTension)) {
+        refuse("'tension' needs 0 < LEAST < GREATEST <= 200 N");
+      }
+      has_tension_ = true;
     } else if (word == "axial_stiffness") {
       geometry_.axial_stiffness = number(word, words);
     } else if (word == "left_handed") {
@@ -66,6 +89,15 @@ class Reader {
     if (values.size() != 6 && values.size() != 7) {
       refuse("'string' needs 6 or 7 numbers and has " + std::to_string(values.size()) +
              "; write 'string X Y Z KX KY KZ SIGN': motor and knot in metres, 1 or -1");
+    }
+    if (!has_pulse_ || !has_volts_ || !has_tension_) {
+      refuse("above the first string there must be 'metres_per_pulse', 'volts_per_newton' and 'tension'");
+    }
+    unused_.clear();
+    for (int i = 0; i < 6; ++i) {
+      if (std::abs(values[static_cast<std::size_t>(i)]) > kFarthestPlace) {
+        refuse("a motor or knot is more than 5 m from the middle; places are in metres, not millimetres");
+      }
     }
     if (count_ == geometry_.strings.size()) refuse("this is the ninth string, and a SPIDAR-G6 has 8; remove one");
     if (values.size() == 7 && std::abs(values[6]) != 1.0) {
@@ -105,7 +137,9 @@ class Reader {
 
   std::string file_;
   std::size_t line_ = 0, count_ = 0;
-  bool is_left_handed_ = false;
+  bool is_left_handed_ = false, has_pulse_ = false, has_volts_ = false, has_tension_ = false;
+  std::string unused_;  ///< the last word that holds for strings below it, while there are none
+  std::size_t unused_line_ = 0;
   SpidarString common_;
   SpidarGeometry geometry_;
 };

@@ -64,6 +64,7 @@ LiveRun::LiveRun(const LiveScene& scene, const SettingsRequest& wanted, HapticIn
       haptics_(settings_.make_method(geometry()), geometry().tool,
                safety_limits_of(settings_, interface(), geometry().tool), 1.0 / settings_.haptic_rate,
                settings_.workspace) {
+  warn_of_reductions();
   if (device_ != nullptr) {
     // Its time goes on where the run is paused, and then it is told zero.
     link_.interface_waits = false;
@@ -75,6 +76,20 @@ LiveRun::LiveRun(const LiveScene& scene, const SettingsRequest& wanted, HapticIn
   }
   hand_.emplace(geometry().tool.X_WT, simulated_device("page"), simulated_hand("moderate"),
                 motion_of(scene, geometry().tool));
+}
+
+void LiveRun::warn_of_reductions() {
+  const auto warn = [this](const char* what, const std::optional<double>& asked, double got, const char* unit) {
+    if (!asked || got >= *asked * (1.0 - 1e-9)) return;
+    warnings_.push_back(
+        fmt::format("the {} of {:g} {} is more than {} or what moves in the scene bears: rendered with {:g}.", what,
+                    *asked, unit, interface().name, got));
+  };
+  warn("stiffness", request_.stiffness, settings_.stiffness, "N/m");
+  warn("damping", request_.damping, settings_.damping, "N s/m");
+  if (request_.metric_length.value_or(0.0) > 0.0) {
+    warn("metric length", request_.metric_length, settings_.metric_length, "m");
+  }
 }
 
 SessionSettings LiveRun::decide(const SettingsRequest& request) const {

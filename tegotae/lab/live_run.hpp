@@ -100,6 +100,7 @@ class LiveRun {
  private:
   SessionSettings decide(const SettingsRequest& request) const;
   void change(const SettingsRequest& request);
+  void warn_of_reductions();
   LiveHand& guided_hand();
 
   LiveScene scene_;

@@ -39,6 +39,11 @@ void decide_interface(const SettingsRequest& request, SessionSettings& settings)
   workspace.force_scale = request.force_scale.value_or(workspace.force_scale);
   workspace.clutch_button = static_cast<int>(request.clutch_button.value_or(workspace.clutch_button));
   settings.dead_man_button = static_cast<int>(request.dead_man_button.value_or(settings.dead_man_button));
+  if (settings.dead_man_button >= 0 && settings.dead_man_button == workspace.clutch_button) {
+    throw InputError(
+        fmt::format("button {} cannot both clutch and be the dead-man button: nothing would ever be felt; name two.",
+                    settings.dead_man_button));
+  }
   settings.energy_bound = request.energy_bound.value_or(1.0) != 0.0;
   settings.beyond_rating = request.beyond_rating.value_or(0.0) != 0.0;
 }

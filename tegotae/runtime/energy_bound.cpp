@@ -71,7 +71,8 @@ Wrench EnergyBound::apply(const EnergyBoundSettings& settings, const EnergyBound
   const double taken = product_in_metric(braked, input.moved, l2);
   if (!(level_ < 0.0 && taken > 0.0)) return input.target;
 
-  const double most = 4.0 * settings.stiffness * (0.5 * input.dt + settings.delay);
+  double most = 4.0 * settings.stiffness * (0.5 * input.dt + settings.delay);
+  if (settings.encoder_step > 0.0) most = std::min(most, settings.noise * input.dt / settings.encoder_step);
   const double speed = std::sqrt(product_in_metric(braked, braked, l2)) / input.dt;
   const double most_here = size_in_metric(input.target, settings.metric_length) / speed;
   damping_ = std::min({-level_ * input.dt / taken, most, most_here});

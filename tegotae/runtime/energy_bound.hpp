@@ -22,6 +22,11 @@ struct EnergyBoundSettings {
   double own_damping = 0.0;
   double own_rotational_damping = 0.0;
 
+  /// m, of the measured position; 0: none. A damper on it is noise of so many metres a tick times its strength: it is
+  /// made no stronger than `noise` (N) of that permits.
+  double encoder_step = 0.0;
+  double noise = 0.06;
+
   /// J, of what was dissipated, that may be given back later. Small: an hour of rubbing is no credit for a vibration.
   /// A tenth of a millijoule lifts a hand of 0.4 kg by 25 um.
   double carried = 1e-4;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/runtime/safety_limits.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -39,6 +40,7 @@ EnergyBoundSettings energy_bound_of(const InterfaceCapability& capability, doubl
   settings.metric_length = metric_length;
   if (!(capability.delay >= 0.0 && std::isfinite(capability.delay))) refuse("finite", "delay (s)", capability.delay);
   settings.delay = capability.delay;
+  settings.encoder_step = std::max(capability.encoder_step, 0.0);
   settings.own_damping = vouched_damping("rated stiffness (N/m)", capability.max_stiffness, capability.rate);
   settings.own_rotational_damping =
       vouched_damping("rated rotational stiffness (N m/rad)", capability.max_rotational_stiffness, capability.rate);

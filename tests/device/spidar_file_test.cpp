@@ -121,5 +121,19 @@ TEST_F(SpidarFile, AGeometryWithoutForceClosureIsRefusedWithTheFile) {
   EXPECT_NE(sentence.find("knots"), std::string::npos) << sentence;
 }
 
+TEST_F(SpidarFile, WordsThatWouldHoldForNothingAreRefused) {
+  EXPECT_NE(refusal(kHead + kStrings + "tension 0.3 2\n").find(":16: 'tension' holds for the strings below it"),
+            std::string::npos)
+      << refusal(kHead + kStrings + "tension 0.3 2\n");
+  EXPECT_NE(refusal("name ours\n" + kStrings).find("above the first string"), std::string::npos);
+}
+
+TEST_F(SpidarFile, NumbersInAnotherUnitAreRefused) {
+  for (const std::string line : {"metres_per_pulse 2e-2", "metres_per_pulse -2e-5", "tension 0.3 2000", "tension 5 2",
+                                 "string 60 -76 60  -22.5 0 0", "name ../ours"}) {
+    EXPECT_NE(refusal(kHead + line + "\n" + kStrings).find(":7: "), std::string::npos) << line;
+  }
+}
+
 }  // namespace
 }  // namespace tegotae

@@ -142,6 +142,24 @@ TEST(EnergyBound, TheDamperBrakesAndNeverPulls) {
   EXPECT_LE(strongest, 4.0 * 8000.0 * 0.5 * kDt * (1.0 + 1e-12));
 }
 
+// 10 um a tick are 0.06 N at 6 N s/m.
+TEST(EnergyBound, ACoarseEncoderMakesTheDamperWeakerThanItsNoise) {
+  for (const double step : {0.0, 10e-6}) {
+    Spring spring(9000.0);
+    spring.settings.encoder_step = step;
+    double strongest = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+      spring.press(1e-3 + 2e-4 * std::sin(0.5 * i));
+      strongest = std::max(strongest, spring.bound.damping());
+    }
+    if (step > 0.0) {
+      EXPECT_NEAR(strongest, spring.settings.noise * kDt / step, 1e-9);
+    } else {
+      EXPECT_GT(strongest, 10.0);
+    }
+  }
+}
+
 TEST(EnergyBound, WhatTheInterfaceVouchesForIsNotTakenBack) {
   Spring spring(1000.0);
   spring.settings.own_damping = 0.5 * 1001.0 * kDt;
