@@ -19,6 +19,12 @@ const std::string kHead =
     "tension 0.4 15\n"
     "axial_stiffness 5000\n";
 
+// What must stand above the strings.
+const std::string kNumbers =
+    "metres_per_pulse 2e-5\n"
+    "volts_per_newton 0.1\n"
+    "tension 0.4 15\n";
+
 // The X3R before its turn, as its table has it.
 const std::string kStrings =
     "left_handed\n"
@@ -69,7 +75,7 @@ TEST_F(SpidarFile, IsReadWithItsNumbersAndItsFrame) {
 }
 
 TEST_F(SpidarFile, WithoutItsOwnNameHasTheFiles) {
-  EXPECT_EQ(read(kStrings).name, "spidar_WithoutItsOwnNameHasTheFiles");
+  EXPECT_EQ(read(kNumbers + kStrings).name, "spidar_WithoutItsOwnNameHasTheFiles");
 }
 
 TEST_F(SpidarFile, FaultsAreNamedWithFileLineAndMend) {
@@ -88,14 +94,14 @@ TEST_F(SpidarFile, FaultsAreNamedWithFileLineAndMend) {
             file +
                 ":1: 'string' needs 6 or 7 numbers and has 3; write 'string X Y Z KX KY KZ SIGN': motor and knot in "
                 "metres, 1 or -1.");
-  EXPECT_EQ(refusal("string 1 2 3 4 5 6 2\n"),
-            file + ":1: the sign of a count must be 1 or -1 (the count falls as the string grows longer).");
+  EXPECT_EQ(refusal(kNumbers + "string 1 2 3 4 5 5 2\n"),
+            file + ":4: the sign of a count must be 1 or -1 (the count falls as the string grows longer).");
   EXPECT_EQ(refusal("name\n"), file + ":1: 'name' needs a name; write 'name NAME'.");
   EXPECT_EQ(refusal("name a b\n"), file + ":1: 'b' is too much on this line; remove it.");
-  EXPECT_EQ(refusal("string 1 2 3 4 5 6\n"),
+  EXPECT_EQ(refusal(kNumbers + "string 1 2 3 4 5 5\n"),
             file + ": it has 1 strings and a SPIDAR-G6 has 8; add a line 'string' for each.");
-  EXPECT_EQ(refusal(kStrings + "string 1 2 3 4 5 6\n"),
-            file + ":10: this is the ninth string, and a SPIDAR-G6 has 8; remove one.");
+  EXPECT_EQ(refusal(kNumbers + kStrings + "string 1 2 3 4 5 5\n"),
+            file + ":13: this is the ninth string, and a SPIDAR-G6 has 8; remove one.");
 }
 
 TEST_F(SpidarFile, AFileThatIsNotThereOrAFolderIsNamed) {
@@ -112,7 +118,7 @@ TEST_F(SpidarFile, AFileThatIsNotThereOrAFolderIsNamed) {
 
 TEST_F(SpidarFile, AGeometryWithoutForceClosureIsRefusedWithTheFile) {
   // All knots at the grip's origin turn nothing.
-  std::string knotted = kStrings;
+  std::string knotted = kNumbers + kStrings;
   for (std::size_t at = 0; (at = knotted.find("0.0225", at)) != std::string::npos; at += 6) {
     knotted.replace(at, 6, "0.0000");
   }
