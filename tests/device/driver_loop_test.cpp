@@ -169,8 +169,8 @@ TEST_P(DriverLoop, CallsThatFailNowAndThenNeverStrikeTheHand) {
       device->fail_every.store(97);
       first = device->failed_calls.load();
     } else if (phase == kFailing && device->failed_calls.load() > first + kCalls) {
-      // Each call of a tick has failed once (not each loses the tick: a velocity is replaced), so zero was commanded, and
-      // the hand presses still.
+      // Each call of a tick has failed once (not each loses the tick: a velocity is replaced), so zero was commanded,
+      // and the hand presses still.
       strongest_while_failing = std::max(strongest_while_failing, device.displayed().force.norm());
       if (++ticks == 500) {
         device->fail_every.store(0);
