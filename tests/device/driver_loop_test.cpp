@@ -118,7 +118,9 @@ class DriverLoop : public ::testing::TestWithParam<DriverCase> {
 TEST_P(DriverLoop, DisplaysContactIsUnpluggedComesBackAndEndsAtZero) {
   enum { kFirst, kGone, kBack, kDone } phase = kFirst;
   double strongest_while_gone = 0.0;
-  const RealtimeReport report = run([&](const TickRecord&) {
+  const RealtimeReport report = run([&](const TickRecord& record) {
+    // On a busy machine a tick may come late, which ends the press.
+    if (phase != kGone && !is_lifted && is_told(record, SafetyEvent::kWaiting)) lift();
     if (phase == kFirst && pushes()) {
       device.unplug();
       phase = kGone;

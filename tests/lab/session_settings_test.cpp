@@ -138,6 +138,7 @@ TEST(SessionSettings, EveryNumberReachesTheMethod) {
   for (const NumericSetting& setting : numeric_settings()) request.*setting.field = setting.least;
   request.metric_length.reset();
   request.physics_rate = 10.0;
+  request.dead_man_button = 1.0;
   request.tool_weight = request.tool_inertia = 1.0;
   const SessionSettings settings = decide_settings(request, cube());
   EXPECT_EQ(settings.friction, 0.0);
@@ -192,6 +193,12 @@ TEST(NumericSettings, AreNamedOnceAndRefuseWhatIsOutOfRange) {
       EXPECT_THROW(check_range(setting, 0.5), InputError) << setting.name;
     }
   }
+}
+
+TEST(SessionSettings, AButtonThatBothClutchesAndPermitsIsRefused) {
+  SettingsRequest request;
+  request.clutch_button = request.dead_man_button = 2.0;
+  EXPECT_THROW(decide_settings(request, cube()), InputError);
 }
 
 }  // namespace
