@@ -137,7 +137,9 @@ TEST_F(SpidarFile, WordsThatWouldHoldForNothingAreRefused) {
 TEST_F(SpidarFile, NumbersInAnotherUnitAreRefused) {
   for (const std::string line : {"metres_per_pulse 2e-2", "metres_per_pulse -2e-5", "tension 0.3 2000", "tension 5 2",
                                  "string 60 -76 60  -22.5 0 0", "name ../ours"}) {
-    EXPECT_NE(refusal(kHead + line + "\n" + kStrings).find(":7: "), std::string::npos) << line;
+    std::string text = kHead;
+    text.append(line).append("\n").append(kStrings);
+    EXPECT_NE(refusal(text).find(":7: "), std::string::npos) << line;
   }
 }
 
