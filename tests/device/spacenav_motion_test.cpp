@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace tegotae {
 namespace {
 
@@ -12,9 +14,9 @@ constexpr double kPeriod = 1e-3;  // s
 
 // From `begin` (s) for `duration` (s), at 1 kHz.
 double hold(SpacenavMotion& motion, const SpacenavDeflection& deflection, double duration, double begin = 0.0) {
-  const int ticks = static_cast<int>(duration / kPeriod + 0.5);
-  for (int i = 0; i <= ticks; ++i) motion.advance(begin + kPeriod * i, deflection);
-  return begin + kPeriod * ticks;
+  const long ticks = std::lround(duration / kPeriod);
+  for (long i = 0; i <= ticks; ++i) motion.advance(begin + kPeriod * static_cast<double>(i), deflection);
+  return begin + kPeriod * static_cast<double>(ticks);
 }
 
 SpacenavSettings offset_mode() {
