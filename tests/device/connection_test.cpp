@@ -18,7 +18,7 @@ using testing::comes_true;
 
 constexpr Connection::Pace kQuick{std::chrono::milliseconds(1), std::chrono::milliseconds(3)};
 
-// What a bench of stub devices did, looked at from every thread.
+// What a bench of made-up devices did, looked at from every thread.
 struct Bench {
   std::atomic<int> opened{0}, closed{0}, refused{0};
   std::atomic<bool> is_there{true};
@@ -32,7 +32,7 @@ class StubDevice final : public OpenDevice {
   ~StubDevice() override { ++bench_.closed; }
   InterfaceCapability capability() const override {
     InterfaceCapability result;
-    result.name = "stub";
+    result.name = "made-up";
     result.max_force = max_force_;
     return result;
   }
@@ -124,7 +124,7 @@ TEST(Connection, LosesAndFindsItsDeviceAgainAndAgain) {
 TEST(ReconnectingInterface, ARefusedCallIsLostForThatTickAlone) {
   Bench bench;
   ReconnectingInterface interface(opener_of(bench)(), opener_of(bench), kQuick);
-  EXPECT_EQ(interface.capability().name, "stub");
+  EXPECT_EQ(interface.capability().name, "made-up");
   InterfaceState state;
   for (int tick = 0; tick < 100; ++tick) {
     const bool refused = tick % ReconnectingInterface::kPatience != 0;  // never that many on end
