@@ -26,10 +26,10 @@ struct Bench {
   std::atomic<double> max_force{10.0};
 };
 
-class StubDevice final : public OpenDevice {
+class MadeUpDevice final : public OpenDevice {
  public:
-  explicit StubDevice(Bench& bench) : bench_(bench), number_(++bench.opened), max_force_(bench.max_force) {}
-  ~StubDevice() override { ++bench_.closed; }
+  explicit MadeUpDevice(Bench& bench) : bench_(bench), number_(++bench.opened), max_force_(bench.max_force) {}
+  ~MadeUpDevice() override { ++bench_.closed; }
   InterfaceCapability capability() const override {
     InterfaceCapability result;
     result.name = "made-up";
@@ -61,7 +61,7 @@ DeviceOpener opener_of(Bench& bench) {
       ++bench.refused;
       throw InterfaceError("it is not there.");
     }
-    return std::make_unique<StubDevice>(bench);
+    return std::make_unique<MadeUpDevice>(bench);
   };
 }
 
