@@ -52,7 +52,7 @@ std::string cut_reason(std::string reason) {
 }
 
 // One viewer's WebSocket.
-class ViewerConnection final : public Connection, public std::enable_shared_from_this<ViewerConnection> {
+class ViewerConnection final : public ServerConnection, public std::enable_shared_from_this<ViewerConnection> {
  public:
   ViewerConnection(beast::tcp_stream&& stream, const ConnectionContext& context)
       : deadline_(stream.get_executor()),
@@ -189,7 +189,7 @@ class ViewerConnection final : public Connection, public std::enable_shared_from
 };
 
 // A connection that asks for files, one after the other, or becomes a viewer's.
-class FileConnection final : public Connection, public std::enable_shared_from_this<FileConnection> {
+class FileConnection final : public ServerConnection, public std::enable_shared_from_this<FileConnection> {
  public:
   FileConnection(Tcp::socket&& socket, const ConnectionContext& context)
       : stream_(std::move(socket)), context_(context), serial_(context.connections.add(*this)) {}
@@ -311,7 +311,7 @@ class FileConnection final : public Connection, public std::enable_shared_from_t
 
 }  // namespace
 
-ConnectionSet::Serial ConnectionSet::add(Connection& connection) {
+ConnectionSet::Serial ConnectionSet::add(ServerConnection& connection) {
   strangers_.emplace(++last_, &connection);
   return last_;
 }

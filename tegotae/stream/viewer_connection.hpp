@@ -16,9 +16,9 @@ class io_context;
 namespace tegotae {
 
 /// A connection as the server sees it. It keeps itself alive while the io_context has something to do for it.
-class Connection {
+class ServerConnection {
  public:
-  virtual ~Connection() = default;
+  virtual ~ServerConnection() = default;
   virtual void wake() = 0;  ///< something waits for the viewer
   virtual void cut() = 0;   ///< closes the socket at once; the connection ends by itself soon after
 };
@@ -28,7 +28,7 @@ class ConnectionSet {
  public:
   using Serial = std::uint64_t;
 
-  Serial add(Connection& connection);
+  Serial add(ServerConnection& connection);
   void remove(Serial serial);
   /// From here on the connection is a viewer's, until remove_viewer().
   void make_viewer(Serial serial, ViewerId viewer);
@@ -41,8 +41,8 @@ class ConnectionSet {
   std::size_t strangers() const noexcept { return strangers_.size(); }
 
  private:
-  std::map<Serial, Connection*> strangers_;  ///< in the order in which they came
-  std::map<ViewerId, Connection*> viewers_;
+  std::map<Serial, ServerConnection*> strangers_;  ///< in the order in which they came
+  std::map<ViewerId, ServerConnection*> viewers_;
   Serial last_ = 0;
 };
 
