@@ -3,24 +3,20 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-
 namespace tegotae {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormatVersion = 1;
-constexpr double kMicrosecond = 1e-6;  // s
-
-Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+constexpr int kComparisonFormat = 1;
+constexpr double kTickUnit = 1e-6;  // s
 
 const char* name_of(RowState state) {
   if (state == RowState::kDone) return "done";
   return state == RowState::kFailed ? "failed" : "not reached";
 }
 
-Json json_of(const SessionSettings& settings) {
+Json json_of_settings(const SessionSettings& settings) {
   const bool has_set = has_constraint_set(settings.method);
   return {{"stiffness_N_per_m", settings.stiffness},
           {"damping_N_s_per_m", settings.damping},
@@ -34,14 +30,14 @@ Json json_of(const SessionSettings& settings) {
 
 // `unit` is part of the keys: "N", "N_m".
 void add(const std::string& what, const std::string& unit, const Deviation& deviation, Json& json) {
-  json[what + "_peak_of_reference_" + unit] = finite_or_null(deviation.peak);
-  json[what + "_rmse_" + unit] = finite_or_null(deviation.rmse);
-  json[what + "_rmse_of_peak"] = finite_or_null(deviation.relative_rmse());
-  json[what + "_worst_" + unit] = finite_or_null(deviation.worst);
-  json[what + "_worst_of_peak"] = finite_or_null(deviation.relative_worst());
+  json[what + "_peak_of_reference_" + unit] = deviation.peak;
+  json[what + "_rmse_" + unit] = deviation.rmse;
+  json[what + "_rmse_of_peak"] = deviation.relative_rmse();
+  json[what + "_worst_" + unit] = deviation.worst;
+  json[what + "_worst_of_peak"] = deviation.relative_worst();
   json[what + "_worst_at_s"] = deviation.worst_time;
-  json[what + "_change_per_tick_beyond_reference_" + unit] = finite_or_null(deviation.change_beyond);
-  json[what + "_greatest_change_per_tick_" + unit] = finite_or_null(deviation.greatest_change);
+  json[what + "_change_per_tick_beyond_reference_" + unit] = deviation.change_beyond;
+  json[what + "_greatest_change_per_tick_" + unit] = deviation.greatest_change;
 }
 
 Json metrics_of(const ComparisonRow& row) {
@@ -53,13 +49,13 @@ Json metrics_of(const ComparisonRow& row) {
                {"ticks_not_ok", row.of_run.not_ok}};
   add("force", "N", held.force, json);
   add("torque", "N_m", held.torque, json);
-  json["spurious_torque_N_m"] = finite_or_null(held.spurious_torque);
+  json["spurious_torque_N_m"] = held.spurious_torque;
   json["ghost_contact_ticks"] = held.ghost_run;
-  json["ghost_contact_force_N"] = finite_or_null(held.ghost_force);
-  json["proxy_penetration_m"] = finite_or_null(row.of_run.proxy_penetration);
-  json["energy_given_J"] = finite_or_null(row.of_run.energy_given);
-  json["sampled_springs_own_energy_J"] = finite_or_null(row.of_run.energy_own);
-  json["energy_injected_J"] = finite_or_null(row.of_run.energy_excess);
+  json["ghost_contact_force_N"] = held.ghost_force;
+  json["proxy_penetration_m"] = row.of_run.proxy_penetration;
+  json["energy_given_J"] = row.of_run.energy_given;
+  json["sampled_springs_own_energy_J"] = row.of_run.energy_own;
+  json["energy_injected_J"] = row.of_run.energy_excess;
   return json;
 }
 
@@ -67,16 +63,16 @@ Json timing_of(const DurationHistogram& times) {
   return {{"time", "simulated"},
           {"missed_deadlines", 0},
           {"tick_us",
-           {{"median", times.median() / kMicrosecond},
-            {"p99", times.percentile(0.99) / kMicrosecond},
-            {"p99_9", times.percentile(0.999) / kMicrosecond}}}};
+           {{"median", times.median() / kTickUnit},
+            {"p99", times.percentile(0.99) / kTickUnit},
+            {"p99_9", times.percentile(0.999) / kTickUnit}}}};
 }
 
 Json json_of(const ComparisonRow& row) {
   Json json = {{"method", row.method}, {"state", name_of(row.state)}};
   if (row.state == RowState::kFailed) json["failure"] = row.failure;
   if (row.state != RowState::kDone) return json;
-  json["settings"] = json_of(row.settings);
+  json["settings"] = json_of_settings(row.settings);
   json["metrics"] = metrics_of(row);
   json["warnings"] = row.warnings;
   json["timing"] = timing_of(row.of_run.tick_times);
@@ -110,7 +106,7 @@ Json stability_of(const ComparisonResult& result) {
 std::string comparison_json(const ComparisonResult& result) {
   Json experiments = Json::array();
   for (const ExperimentComparison& experiment : result.experiments) experiments.push_back(json_of(experiment));
-  const Json json = {{"format", kFormatVersion},
+  const Json json = {{"format", kComparisonFormat},
                      {"interrupted", result.interrupted},
                      {"methods", result.methods},
                      {"experiments", experiments},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/frame_maker.hpp>
+#include <tegotae/lab/unix_time.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -14,10 +15,6 @@ constexpr double kFirstEdge = 1.0;    // us
 
 Coupling coupling_of(const SessionSettings& settings) {
   return {settings.stiffness, settings.damping, settings.metric_length, settings.rotational_damping};
-}
-
-double unix_milliseconds() {
-  return std::chrono::duration<double, std::milli>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace

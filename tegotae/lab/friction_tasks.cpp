@@ -14,22 +14,22 @@ namespace tegotae {
 namespace {
 
 constexpr double kFriction = 0.5;
-constexpr double kDepth = 1e-3;       // m, of the lowest point under the floor
-constexpr double kHalfEdge = 0.02;    // m, of the cube
-constexpr double kFaceEdge = 0.06;    // m, of the plate's lower face
-constexpr double kDiscRadius = 0.03;  // m
+constexpr double kDragDepth = 1e-3;    // m, of the lowest point under the floor
+constexpr double kHalfDragged = 0.02;  // m, of the cube
+constexpr double kFaceEdge = 0.06;     // m, of the plate's lower face
+constexpr double kDiscRadius = 0.03;   // m
 
 // The tool turned by `q_WT`, its lowest point `depth` under the floor.
 Pose over_floor(const Tool& tool, double x, double depth, const Quaternion& q_WT) {
   return {{x, 0.0, -lowest_height(tool, q_WT, Vector3::UnitZ()) - depth}, q_WT};
 }
 
-SmoothPath lowered() { return {{0.0, -2e-3}, {0.4, kDepth}}; }
+SmoothPath lowered() { return {{0.0, -2e-3}, {0.4, kDragDepth}}; }
 
 Trajectory leaning(const Tool& tool) {
   const SmoothPath angle({{0.5, 0.0}, {4.0, 40.0}, {5.0, 0.0}});
   return sampled(0.0, 5.0, [&, depth = lowered()](double time) {
-    const double x = kDepth * std::tan(angle.at(time) * kDegree);
+    const double x = kDragDepth * std::tan(angle.at(time) * kDegree);
     return over_floor(tool, x, depth.at(time), Quaternion::Identity());
   });
 }
@@ -99,7 +99,7 @@ Experiment slope_experiment() {
 
 Experiment drag_face_experiment() {
   Experiment experiment = drag("drag-face", "a cube dragged over a floor on a face", Quaternion::Identity());
-  experiment.reference = flat_face_reference(kFriction, mean_distance_in_square(2.0 * kHalfEdge));
+  experiment.reference = flat_face_reference(kFriction, mean_distance_in_square(2.0 * kHalfDragged));
   experiment.notes =
       "The drag is the coefficient of friction times the normal force, and the normal force is what it is at rest.";
   return experiment;
@@ -108,7 +108,7 @@ Experiment drag_face_experiment() {
 Experiment drag_edge_experiment() {
   Experiment experiment = drag("drag-edge", "a cube dragged over a floor on an edge, across it",
                                rotation_from_vector(0.5 * Vector3::UnitY()));
-  experiment.reference = dragged_point_reference({kHalfEdge, 0.0, -kHalfEdge}, kFriction);
+  experiment.reference = dragged_point_reference({kHalfDragged, 0.0, -kHalfDragged}, kFriction);
   experiment.notes =
       "The normal force and the drag both turn the tool, and so change each other: to first order N = k d / (1 + (x^2 "
       "+- 0.5 h x) / l^2), x and h the centre's distances from the edge sideways and upwards.";
@@ -119,7 +119,7 @@ Experiment drag_vertex_experiment() {
   Experiment experiment =
       drag("drag-vertex", "a cube dragged over a floor on a vertex",
            rotation_from_vector(0.5 * Vector3::UnitY()) * rotation_from_vector(0.4 * Vector3::UnitX()));
-  experiment.reference = dragged_point_reference({kHalfEdge, -kHalfEdge, -kHalfEdge}, kFriction);
+  experiment.reference = dragged_point_reference({kHalfDragged, -kHalfDragged, -kHalfDragged}, kFriction);
   experiment.notes = "As on the edge, but turned about all axes.";
   return experiment;
 }

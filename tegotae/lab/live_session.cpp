@@ -21,12 +21,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr std::chrono::microseconds kStatePeriod{16'667};
 constexpr milliseconds kHistogramPeriod{500};
 constexpr int kMostRefusals = 50;           // of messages that are none, from one page
 constexpr milliseconds kHandSilence{1000};  // after which another may take the tool
-
-SharedText shared(std::string text) { return std::make_shared<const std::string>(std::move(text)); }
 
 }  // namespace
 

@@ -14,37 +14,37 @@
 namespace tegotae {
 namespace {
 
-constexpr double kHalfEdge = 0.1;  // m, of the cube in the scene
+constexpr double kHalfPaperCube = 0.1;  // m, of the cube in the scene
 
 // The paper's times: about 6 s in all, the edge turned onto the face by 3.8 s.
-constexpr double kTouched = 1.5, kTurned = 3.8, kEnd = 6.0;  // s
-constexpr double kClearance = 0.03;                          // m under the lowest edge at first
-constexpr double kDepth = 0.35e-3;                           // m, of the lowest edge while it turns
-constexpr double kFaceDepth = 0.4e-3;                        // m, of the lowest edge while the face is held
-constexpr double kFaceTilt = 0.02 * kDegree;                 // a hand never holds the face exactly parallel
+constexpr double kEdgeTouched = 1.5, kTurnedFlat = 3.8, kCubeEnd = 6.0;  // s
+constexpr double kCubeClearance = 0.03;                                  // m under the lowest edge at first
+constexpr double kEdgeDepth = 0.35e-3;                                   // m, of the lowest edge while it turns
+constexpr double kFaceDepth = 0.4e-3;                                    // m, of the lowest edge while the face is held
+constexpr double kFaceTilt = 0.02 * kDegree;                             // a hand never holds the face exactly parallel
 
 double tilt_at(double time) {
-  if (time <= kTouched) return SmoothStep{0.0, 0.6, 0.0, 45.0 * kDegree}.at(time);
-  if (time <= kTurned) return SmoothStep{kTouched, kTurned, 45.0 * kDegree, 0.0}.at(time);
+  if (time <= kEdgeTouched) return SmoothStep{0.0, 0.6, 0.0, 45.0 * kDegree}.at(time);
+  if (time <= kTurnedFlat) return SmoothStep{kEdgeTouched, kTurnedFlat, 45.0 * kDegree, 0.0}.at(time);
   return SmoothStep{4.0, 4.5, 0.0, kFaceTilt}.at(time);
 }
 
-double depth_at(double time) {
-  if (time <= kTouched) return SmoothStep{0.5, kTouched, -kClearance, kDepth}.at(time);
-  return SmoothStep{4.5, 5.0, kDepth, kFaceDepth}.at(time);
+double cube_depth_at(double time) {
+  if (time <= kEdgeTouched) return SmoothStep{0.5, kEdgeTouched, -kCubeClearance, kEdgeDepth}.at(time);
+  return SmoothStep{4.5, 5.0, kEdgeDepth, kFaceDepth}.at(time);
 }
 
-Trajectory motion(const Tool& tool) {
-  return sampled(0.0, kEnd, [&tool](double time) {
+Trajectory edge_to_face(const Tool& tool) {
+  return sampled(0.0, kCubeEnd, [&tool](double time) {
     const Quaternion q_WT = rotation_from_vector(tilt_at(time) * Vector3::UnitZ());
-    const double height = -lowest_height(tool, q_WT, Vector3::UnitY()) - depth_at(time);
+    const double height = -lowest_height(tool, q_WT, Vector3::UnitY()) - cube_depth_at(time);
     return Pose{{0.0, height, 0.0}, q_WT};
   });
 }
 
 CubeOnFloor closed_form(const TickRecord& record, const SessionSettings& settings) {
-  return cube_on_floor(kHalfEdge, record.X_WT.p.y, 2.0 * std::atan2(record.X_WT.z, record.X_WT.w), settings.stiffness,
-                       settings.metric_length);
+  return cube_on_floor(kHalfPaperCube, record.X_WT.p.y, 2.0 * std::atan2(record.X_WT.z, record.X_WT.w),
+                       settings.stiffness, settings.metric_length);
 }
 
 Quantity closed_form_force() {
@@ -60,7 +60,7 @@ Quantity closed_form_torque() {
 // Only while the edge is turned onto the face, from a tilt of half a degree on.
 Quantity near_face(Quantity quantity) {
   return [quantity = std::move(quantity)](const TickRecord& record, const SessionSettings& settings) {
-    const bool shown = record.time > kTouched && record.time <= kTurned && tilt_at(record.time) < 0.5 * kDegree;
+    const bool shown = record.time > kEdgeTouched && record.time <= kTurnedFlat && tilt_at(record.time) < 0.5 * kDegree;
     return shown ? quantity(record, settings) : std::numeric_limits<double>::quiet_NaN();
   };
 }
@@ -72,7 +72,7 @@ std::vector<Curve> both_lengths(const Quantity& rendered, const Quantity& refere
           {"", 1, reference, true}};
 }
 
-std::vector<Figure> figures() {
+std::vector<Figure> edge_to_face_figures() {
   const Vector3 y = Vector3::UnitY(), z = Vector3::UnitZ();
   Figure force{.name = "figure-5", .title = "Height and force, l = 1 m", .paper_title = "(the paper's figure 5)"};
   force.panels = {{"y [m]", {{"y", 0, position_along(y), false}}}, {"f_y [N]", {{"f_y", 0, force_along(y), false}}}};
@@ -102,14 +102,14 @@ Experiment paper_cube_experiment() {
   experiment.scene = "paper-cube.xml";
   experiment.tool = "tool";
   experiment.settings.friction = 0.0;
-  experiment.motion = motion;
-  experiment.phases = {{"a", "edge lowered onto the floor", 0.0, kTouched},
-                       {"b", "edge turned onto the face", kTouched, kTurned},
-                       {"c", "face pressed, held 0.02 deg off", kTurned, kEnd}};
+  experiment.motion = edge_to_face;
+  experiment.phases = {{"a", "edge lowered onto the floor", 0.0, kEdgeTouched},
+                       {"b", "edge turned onto the face", kEdgeTouched, kTurnedFlat},
+                       {"c", "face pressed, held 0.02 deg off", kTurnedFlat, kCubeEnd}};
   experiment.variants = metric_length_variants();
   experiment.force_axis = {"y", Vector3::UnitY()};
   experiment.torque_axis = {"z", Vector3::UnitZ()};
-  experiment.figures = figures();
+  experiment.figures = edge_to_face_figures();
   experiment.reference = offline_reference();
   experiment.paper_notes =
       "At first touch the centre is above the edge: force without torque. Turning makes the torque grow on the "

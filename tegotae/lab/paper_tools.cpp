@@ -12,15 +12,15 @@
 namespace tegotae {
 namespace {
 
-constexpr double kTouched = 1.0, kPressed = 2.0, kRolled = 5.0, kEnd = 6.0;  // s
-constexpr double kClearance = 0.02;                                          // m
-constexpr double kTouchDepth = 0.2e-3, kPressDepth = 1e-3;                   // m, of the lowest point
+constexpr double kToolTouched = 1.0, kPressed = 2.0, kRolled = 5.0, kToolEnd = 6.0;  // s
+constexpr double kToolClearance = 0.02;                                              // m
+constexpr double kTouchDepth = 0.2e-3, kPressDepth = 1e-3;                           // m, of the lowest point
 constexpr double kRoll = 20.0 * kDegree;
 
-double depth_at(double time) {
-  if (time <= kTouched) return SmoothStep{0.0, kTouched, -kClearance, kTouchDepth}.at(time);
-  if (time <= kRolled) return SmoothStep{kTouched, kPressed, kTouchDepth, kPressDepth}.at(time);
-  return SmoothStep{kRolled, kEnd, kPressDepth, -kClearance}.at(time);
+double tool_depth_at(double time) {
+  if (time <= kToolTouched) return SmoothStep{0.0, kToolTouched, -kToolClearance, kTouchDepth}.at(time);
+  if (time <= kRolled) return SmoothStep{kToolTouched, kPressed, kTouchDepth, kPressDepth}.at(time);
+  return SmoothStep{kRolled, kToolEnd, kPressDepth, -kToolClearance}.at(time);
 }
 
 double roll_at(double time) {
@@ -29,10 +29,10 @@ double roll_at(double time) {
   return SmoothStep{4.5, kRolled, -kRoll, 0.0}.at(time);
 }
 
-Trajectory motion(const Tool& tool) {
-  return sampled(0.0, kEnd, [&tool](double time) {
+Trajectory press_and_roll_motion(const Tool& tool) {
+  return sampled(0.0, kToolEnd, [&tool](double time) {
     const Quaternion q_WT = rotation_from_vector(roll_at(time) * Vector3::UnitY());
-    return Pose{{0.0, 0.0, -lowest_height(tool, q_WT, Vector3::UnitZ()) - depth_at(time)}, q_WT};
+    return Pose{{0.0, 0.0, -lowest_height(tool, q_WT, Vector3::UnitZ()) - tool_depth_at(time)}, q_WT};
   });
 }
 
@@ -40,7 +40,7 @@ std::vector<Curve> both_lengths(const Quantity& rendered) {
   return {{"l = 1 m", 0, rendered, false}, {"l = gyration length", 1, rendered, false}};
 }
 
-std::vector<Figure> figures() {
+std::vector<Figure> press_and_roll_figures() {
   const Vector3 y = Vector3::UnitY(), z = Vector3::UnitZ();
   Figure force{.name = "force-and-torque", .title = "Pressed on a floor and rolled"};
   force.panels = {{"z [m]", {{"z", 0, position_along(z), false}}},
@@ -57,15 +57,15 @@ Experiment press_and_roll(const std::string& name, const std::string& summary) {
   experiment.scene = name + ".xml";
   experiment.tool = "tool";
   experiment.settings.friction = 0.0;
-  experiment.motion = motion;
-  experiment.phases = {{"a", "lowered onto the floor", 0.0, kTouched},
-                       {"b", "pressed", kTouched, kPressed},
+  experiment.motion = press_and_roll_motion;
+  experiment.phases = {{"a", "lowered onto the floor", 0.0, kToolTouched},
+                       {"b", "pressed", kToolTouched, kPressed},
                        {"c", "rolled to both sides", kPressed, kRolled},
-                       {"d", "lifted", kRolled, kEnd}};
+                       {"d", "lifted", kRolled, kToolEnd}};
   experiment.variants = metric_length_variants();
   experiment.force_axis = {"z", Vector3::UnitZ()};
   experiment.torque_axis = {"y", Vector3::UnitY()};
-  experiment.figures = figures();
+  experiment.figures = press_and_roll_figures();
   experiment.reference = offline_reference();
   experiment.paper_notes =
       "Force and torque follow the tool's shape; pressing until all vertices below are in the floor does not change "

@@ -6,14 +6,14 @@
 namespace tegotae {
 namespace {
 
-constexpr std::string_view kSession = R"({
+constexpr std::string_view kSessionSchema = R"({
 "title": "tegotae.Session.v1", "type": "object", "description": "What the run was.",
 "properties": {
   "format": {"type": "integer", "description": "version of the recording's format"},
   "notes": {"type": "array", "items": {"type": "string"}, "description": "settings and the like, a line each"}
 }})";
 
-constexpr std::string_view kScene = R"({
+constexpr std::string_view kSceneSchema = R"({
 "title": "tegotae.Scene.v1", "type": "object",
 "description": "What the live view shows: bodies and tool with their shapes (SI units; a pose is x, y, z in m and a unit quaternion, w first; colours 0 to 1). All of it stands from here to the next message of this topic.",
 "properties": {
@@ -27,7 +27,7 @@ constexpr std::string_view kScene = R"({
   "scenes": {"type": "array", "items": {"type": "string"}}
 }})";
 
-constexpr std::string_view kSettings = R"({
+constexpr std::string_view kSettingsSchema = R"({
 "title": "tegotae.Settings.v1", "type": "object",
 "description": "The settings from here to the next message of this topic.",
 "properties": {
@@ -46,7 +46,7 @@ constexpr std::string_view kSettings = R"({
   }}}
 }})";
 
-constexpr std::string_view kState = R"({
+constexpr std::string_view kStateSchema = R"({
 "title": "tegotae.State.v1", "type": "object",
 "description": "What the live view shows of one moment, 60 a second. World axes, SI units; a number that is not finite or not known is null. Also, as arrays of arrays: bodies [x, y, z (m), qw, qx, qy, qz] of the moving bodies; planes [px, py, pz (m), nx, ny, nz, distance (m)] of the near objects; points [x, y, z (m), gap (m), force (N)], the contact points; anchors [x, y, z (m), sx, sy, sz (m), slipping (0 or 1)], the frictional contacts; samples [t (s), fx, fy, fz (N), tx, ty, tz (N m)], the wrenches displayed in the last 50 ms.",
 "properties": {
@@ -95,10 +95,10 @@ constexpr std::string_view kState = R"({
 
 }  // namespace
 
-std::string_view schema_of_session() noexcept { return kSession; }
-std::string_view schema_of_scene() noexcept { return kScene; }
-std::string_view schema_of_settings() noexcept { return kSettings; }
-std::string_view schema_of_state() noexcept { return kState; }
+std::string_view schema_of_session() noexcept { return kSessionSchema; }
+std::string_view schema_of_scene() noexcept { return kSceneSchema; }
+std::string_view schema_of_settings() noexcept { return kSettingsSchema; }
+std::string_view schema_of_state() noexcept { return kStateSchema; }
 
 std::string schema_of_tick(SampleKind kind) {
   nlohmann::ordered_json properties;

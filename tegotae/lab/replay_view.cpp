@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/replay_view.hpp>
+#include <tegotae/lab/unix_time.hpp>
 #include <tegotae/stream/short_messages.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <thread>
 #include <utility>
 #include <variant>
@@ -16,15 +16,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::microseconds kStatePeriod{16'667};
 // A page of ours sends none; a person who tries something by hand sends a few.
 constexpr int kMostMalformed = 50;
-
-SharedText shared(std::string text) { return std::make_shared<const std::string>(std::move(text)); }
-
-double unix_milliseconds() {
-  return std::chrono::duration<double, std::milli>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 std::string warning_of(const ReplaySession& session, const std::filesystem::path& file) {
   if (session.is_complete()) return {};

@@ -15,17 +15,17 @@ constexpr double kFirstTrust = 1e-6;   // m: the first at least
 constexpr double kAtBound = 0.4;       // of the trust: a step that would go further
 constexpr double kLeastTrust = 1e-11;  // m: no step that small is refused but by rounding
 constexpr double kShrink = 0.3, kGrow = 2.0;  // of the trust, after a step that was refused or taken
-constexpr double kRounding = 1e-12;           // of the value, and
+constexpr double kValueRounding = 1e-12;      // of the value, and
 constexpr double kGapRounding = 1e-14;        // m, of each gap: what a step may seem to worsen
 constexpr double kConverged = 1e-9;           // m: of the step, of violations
-constexpr double kTurned = 1e-5;              // rad that the planes of loaded pairs still turn by
+constexpr double kPlaneTurn = 1e-5;           // rad that the planes of loaded pairs still turn by
 constexpr double kTouch = 1e-12;              // m of displacement, that a pushing force stretches the coupling by
 constexpr int kPrograms = 3000;               // of one step of the hand: a leap of 10 cm
 constexpr double kReach = 2.0 * kTrust;       // m: a step moves no point further, so pairs further apart wait
 
 // What rounding alone can change of the `value` of the minimised function, m^2.
 double rounding_of(double value, std::span<const PlanePair> pairs) {
-  double rounding = kRounding * value;
+  double rounding = kValueRounding * value;
   for (const PlanePair& pair : pairs) rounding += kGapRounding * pair.load;
   return rounding;
 }
@@ -161,7 +161,7 @@ bool SeparatedTool::planes_hold(std::span<const PlanePair> pairs) const {
   for (size_t j = 0; j < pairs.size(); ++j) {
     const PlanePair& pair = pairs[j];
     if (trial_gap(pair) < parameters_.skin - pair.slack - kConverged) return false;
-    if (pair.load > kTouch && (pair.n - near_[j].n).norm() > kTurned) return false;
+    if (pair.load > kTouch && (pair.n - near_[j].n).norm() > kPlaneTurn) return false;
   }
   return true;
 }

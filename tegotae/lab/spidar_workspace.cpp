@@ -147,7 +147,7 @@ double step_of_lines(double greatest) {
 }
 
 std::string position_script(const SpidarGeometry& geometry) {
-  constexpr int kWidth = 1200, kHeight = 780;
+  constexpr int kPositionWidth = 1200, kPositionHeight = 780;
   const SpidarReach reach = spidar_reach(geometry, {});
   const Vector3 half = half_frame(geometry);
   std::string drawing = fmt::format(
@@ -174,11 +174,11 @@ std::string position_script(const SpidarGeometry& geometry) {
   const std::string settings =
       "set size ratio -1\nset tics out\nset view map\n"
       "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n";
-  return gnuplot_script("workspace-position", settings, drawing, kWidth, kHeight);
+  return gnuplot_script("workspace-position", settings, drawing, kPositionWidth, kPositionHeight);
 }
 
 std::string rotation_script(const SpidarGeometry& geometry) {
-  constexpr int kWidth = 900, kHeight = 610;
+  constexpr int kRotationWidth = 900, kRotationHeight = 610;
   std::string drawing = fmt::format(
       "set multiplot layout 2,1 title \"SPIDAR '{}': greatest force and torque in every direction, grip in the "
       "middle\" "
@@ -202,7 +202,7 @@ std::string rotation_script(const SpidarGeometry& geometry) {
   const std::string settings =
       "set grid\nset key outside top center horizontal\n"
       "set lmargin 11\nset xtics 15\nset xrange [-90:90]\nset yrange [0:*]\n";
-  return gnuplot_script("workspace-rotation", settings, drawing, kWidth, kHeight);
+  return gnuplot_script("workspace-rotation", settings, drawing, kRotationWidth, kRotationHeight);
 }
 
 }  // namespace

@@ -4,16 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-
 namespace tegotae {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormatVersion = 1;
-
-Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+constexpr int kStabilityFormat = 1;
 
 Json json_of(const SimulatedDevice& device) {
   const GripMechanics& grip = device.mechanics;
@@ -27,8 +23,8 @@ Json json_of(const SimulatedDevice& device) {
           {"encoder_step_m", device.capability.encoder_step},
           {"encoder_step_rad", device.encoder_angle},
           {"delay_s", device.delay},
-          {"max_force_N", finite_or_null(device.capability.max_force)},
-          {"max_torque_N_m", finite_or_null(device.capability.max_torque)}};
+          {"max_force_N", device.capability.max_force},
+          {"max_torque_N_m", device.capability.max_torque}};
 }
 
 Json json_of(const HandImpedance& hand, const std::string& name) {
@@ -47,16 +43,16 @@ Json json_of(const StabilityRow& row) {
           {"contact", row.contact},
           {"metric_length_m", row.metric_length},
           {"largest_stable_stiffness_N_per_m", row.limit.largest_stable},
-          {"smallest_unstable_stiffness_N_per_m", finite_or_null(row.limit.smallest_unstable)},
+          {"smallest_unstable_stiffness_N_per_m", row.limit.smallest_unstable},
           {"runs", row.limit.runs},
-          {"linear_bound_N_per_m", finite_or_null(bounds.linear)},
-          {"linear_bound_translation_N_per_m", finite_or_null(bounds.linear_translation)},
-          {"linear_bound_rotation_N_per_m", finite_or_null(bounds.linear_rotation)},
-          {"colgate_schenkel_bound_N_per_m", finite_or_null(bounds.colgate_schenkel)},
-          {"abbott_okamura_bound_N_per_m", finite_or_null(bounds.abbott_okamura)},
-          {"ratio_to_linear", finite_or_null(row.ratio_to_linear())},
-          {"ratio_to_colgate_schenkel", finite_or_null(row.limit.largest_stable / bounds.colgate_schenkel)},
-          {"ratio_to_abbott_okamura", finite_or_null(row.limit.largest_stable / bounds.abbott_okamura)}};
+          {"linear_bound_N_per_m", bounds.linear},
+          {"linear_bound_translation_N_per_m", bounds.linear_translation},
+          {"linear_bound_rotation_N_per_m", bounds.linear_rotation},
+          {"colgate_schenkel_bound_N_per_m", bounds.colgate_schenkel},
+          {"abbott_okamura_bound_N_per_m", bounds.abbott_okamura},
+          {"ratio_to_linear", row.ratio_to_linear()},
+          {"ratio_to_colgate_schenkel", row.limit.largest_stable / bounds.colgate_schenkel},
+          {"ratio_to_abbott_okamura", row.limit.largest_stable / bounds.abbott_okamura}};
 }
 
 Json json_of(const EnergyRow& row) {
@@ -85,7 +81,7 @@ std::string stability_json(const StabilityReport& report) {
   Json limits = Json::array(), energies = Json::array();
   for (const StabilityRow& row : report.limits) limits.push_back(json_of(row));
   for (const EnergyRow& row : report.energies) energies.push_back(json_of(row));
-  const Json json = {{"format", kFormatVersion},
+  const Json json = {{"format", kStabilityFormat},
                      {"device", json_of(report.setup.device)},
                      {"hand", json_of(report.setup.hand, report.hand)},
                      {"haptic_rate_Hz", report.setup.settings.haptic_rate},

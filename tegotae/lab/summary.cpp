@@ -66,8 +66,8 @@ PhaseSummary summary_of(const Experiment& experiment, const Phase& phase, std::s
 
 // Half a microsecond: times of ticks are whole periods, but for rounding.
 std::span<const TickRecord> between(std::span<const TickRecord> records, double begin, double end) {
-  constexpr double kRounding = 5e-7;
-  const auto earlier = [](const TickRecord& record, double time) { return record.time < time - kRounding; };
+  constexpr double kHalfMicrosecond = 5e-7;  // s
+  const auto earlier = [](const TickRecord& record, double time) { return record.time < time - kHalfMicrosecond; };
   const auto first = std::lower_bound(records.begin(), records.end(), begin, earlier);
   const auto last = std::lower_bound(first, records.end(), end, earlier);
   return {first, last};

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kDuration = 4.0;         // s: a tick turns the cube by 0.00025 degrees
 constexpr double kSweep = 0.5 * kDegree;  // to either side
-constexpr double kDepth = 0.3e-3;         // m, of the face where it is flat
+constexpr double kFlatDepth = 0.3e-3;     // m, of the face where it is flat
 
-Trajectory motion(const Tool& tool) {
-  const double height = -lowest_height(tool, Quaternion::Identity(), Vector3::UnitY()) - kDepth;
+Trajectory tilting(const Tool& tool) {
+  const double height = -lowest_height(tool, Quaternion::Identity(), Vector3::UnitY()) - kFlatDepth;
   return sampled(0.0, kDuration, [height](double time) {
     const double angle = (2.0 * time / kDuration - 1.0) * kSweep;
     return Pose{{0.0, height, 0.0}, rotation_from_vector(angle * Vector3::UnitZ())};
@@ -43,7 +43,7 @@ Experiment tilt_sweep_experiment() {
   experiment.scene = "paper-cube.xml";
   experiment.tool = "tool";
   experiment.settings.friction = 0.0;
-  experiment.motion = motion;
+  experiment.motion = tilting;
   experiment.phases = {{"a", "swept to the flat pose", 0.0, 0.5 * kDuration},
                        {"b", "swept on", 0.5 * kDuration, kDuration}};
   experiment.variants = variants();

@@ -3,9 +3,12 @@
 
 #include <tegotae/stream/viewer_options.hpp>
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace tegotae {
 
@@ -17,5 +20,11 @@ struct ViewerOutput {
   std::function<std::size_t()> viewer_count;
   std::function<void(ViewerId, std::string)> disconnect;
 };
+
+/// Between two states that a view is shown: 60 a second.
+inline constexpr std::chrono::microseconds kStatePeriod{16'667};
+
+/// A text that several viewers are sent.
+inline SharedText shared(std::string text) { return std::make_shared<const std::string>(std::move(text)); }
 
 }  // namespace tegotae
