@@ -33,9 +33,4 @@ function(tegotae_library name)
   target_include_directories(tegotae_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   tegotae_compile_settings(tegotae_${name})
-  if(TEGOTAE_SANITIZE AND name MATCHES "^(core|stream)$")
-    # Ten sources at once: most of a sanitizer's time goes into what all of them include. So names in the anonymous
-    # namespaces of these libraries must differ; the laboratory's experiments, each with a motion and figures, may not.
-    set_target_properties(tegotae_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
-  endif()
 endfunction()

@@ -24,10 +24,10 @@ namespace {
 thread_local std::uint64_t allocations = 0;
 }  // namespace
 
-namespace tegotae::testing {
+namespace tegotae::test {
 std::uint64_t thread_allocations() noexcept { return allocations; }
 bool counts_aligned_alloc() noexcept { return TEGOTAE_THREAD_SANITIZER == 0; }
-}  // namespace tegotae::testing
+}  // namespace tegotae::test
 
 #if TEGOTAE_SANITIZED_HEAP
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// Heap allocations of the calling thread since it started: every malloc, calloc, realloc and aligned allocation, and
 /// so operator new and Eigen's dynamic matrices. Linked into every test program, which it makes count.
@@ -21,4 +21,4 @@ class AllocationCounter {
   std::uint64_t start_ = thread_allocations();
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

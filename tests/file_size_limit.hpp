@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// Limits the size of files that this process may write, for the test's time: a disk that fills up in the middle.
 class FileSizeLimit {
@@ -27,4 +27,4 @@ class FileSizeLimit {
   void (*old_handler_)(int);
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

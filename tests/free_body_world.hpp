@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// A world whose moving bodies float freely: each moves with its velocity, and an impulse changes its linear velocity
 /// by impulse / mass. Small enough to know exactly what must come out.
@@ -64,4 +64,4 @@ inline SceneGeometry cube_over_floor() {
   return scene;
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

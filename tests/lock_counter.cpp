@@ -9,9 +9,9 @@ namespace {
 thread_local std::uint64_t locks = 0;
 }  // namespace
 
-namespace tegotae::testing {
+namespace tegotae::test {
 std::uint64_t thread_locks() noexcept { return locks; }
-}  // namespace tegotae::testing
+}  // namespace tegotae::test
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 

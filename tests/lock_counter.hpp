@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// Locks that the calling thread has taken since it started: mutexes, reader-writer locks, semaphores and waits on
 /// conditions, of C++ and of C. Linked into every test program, which it makes count. Under a sanitizer, which has its
@@ -19,4 +19,4 @@ class LockCounter {
   std::uint64_t start_ = thread_locks();
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

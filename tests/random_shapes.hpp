@@ -7,11 +7,15 @@
 #include <random>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
+
+inline double uniform(std::mt19937_64& random, double lower, double upper) {
+  return std::uniform_real_distribution<double>(lower, upper)(random);
+}
 
 inline Vector3 random_vector(std::mt19937_64& random, double half_range) {
-  std::uniform_real_distribution<double> uniform(-half_range, half_range);
-  const double x = uniform(random), y = uniform(random), z = uniform(random);
+  std::uniform_real_distribution<double> coordinate(-half_range, half_range);
+  const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
   return {x, y, z};
 }
 
@@ -41,4 +45,4 @@ inline std::vector<Vector3> random_hull_points(std::mt19937_64& random, int coun
   return points;
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

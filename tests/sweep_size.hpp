@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 // Sanitizers slow a sweep ten to thirty times and find their faults in the first few thousand cases.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -22,4 +22,4 @@ inline constexpr int kSweepDivisor = 1;
 /// least (cases may be long runs of their own).
 constexpr int sweep_size(int full) { return std::max(full / kSweepDivisor, std::min(full, 4)); }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -9,7 +9,7 @@
 #include <vector>
 
 // A body and a tool of many convex pieces, as a split mesh gives them.
-namespace tegotae::testing {
+namespace tegotae::test {
 
 inline constexpr double kTorusRadius = 0.06, kTorusTube = 0.02;  // m
 
@@ -48,4 +48,4 @@ inline std::vector<Shape> comb_pieces(int count) {
   return pieces;
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

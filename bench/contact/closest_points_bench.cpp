@@ -24,8 +24,8 @@ struct Motion {
   // `height` of the hull's centre over the box's centre, m.
   Motion(int vertices, double height) {
     std::mt19937_64 random(5);
-    hull = make_hull(testing::random_hull_points(random, vertices, 0.1));
-    Pose X = {{0.0, 0.0, height}, testing::random_rotation(random)};
+    hull = make_hull(test::random_hull_points(random, vertices, 0.1));
+    Pose X = {{0.0, 0.0, height}, test::random_rotation(random)};
     for (int tick = 0; tick < kTicks; ++tick) {
       const double t = 1e-3 * tick;
       X.p = {0.1 * std::sin(t), 0.05 * std::sin(1.7 * t), height + 0.01 * std::sin(3.0 * t)};
@@ -78,15 +78,14 @@ BENCHMARK(closest_points_cold)->Arg(18)->Arg(230)->Arg(5000);
 
 void fcl_libccd(benchmark::State& state) {
   const Motion& motion = motion_of(static_cast<int>(state.range(0)));
-  const auto hull = testing::fcl_geometry(motion.hull);
-  const auto box = testing::fcl_geometry(motion.box);
+  const auto hull = test::fcl_geometry(motion.hull);
+  const auto box = test::fcl_geometry(motion.box);
   std::vector<fcl::Transform3d> poses;
-  for (const Pose& X : motion.X_WT) poses.push_back(testing::fcl_pose(X));
+  for (const Pose& X : motion.X_WT) poses.push_back(test::fcl_pose(X));
   const fcl::Transform3d identity = fcl::Transform3d::Identity();
   long queries = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        testing::fcl_distance(*hull, poses[static_cast<size_t>(queries++ % kTicks)], *box, identity));
+    benchmark::DoNotOptimize(test::fcl_distance(*hull, poses[static_cast<size_t>(queries++ % kTicks)], *box, identity));
   }
 }
 BENCHMARK(fcl_libccd)->Arg(18)->Arg(230)->Arg(5000);

@@ -14,7 +14,7 @@ namespace {
 Shape round_hull(std::uint64_t seed, int vertices) {
   std::mt19937_64 random(seed);
   std::vector<Vector3> points;
-  for (int i = 0; i < vertices; ++i) points.push_back(0.1 * testing::random_unit(random));
+  for (int i = 0; i < vertices; ++i) points.push_back(0.1 * test::random_unit(random));
   return make_hull(points);
 }
 
@@ -32,9 +32,9 @@ struct Scene {
       : tool(the_tool), object(the_object), dilation(dilation_W), workspace(1024, 2048), vertices(8192) {
     placed_object = PlacedShape(object, {});
     std::mt19937_64 random(7);
-    Pose X{start, testing::random_rotation(random)};
+    Pose X{start, test::random_rotation(random)};
     for (int i = 0; i < 256; ++i) {
-      X = displaced(X, X.p, 2e-4 * testing::random_unit(random), 4e-3 * testing::random_unit(random));
+      X = displaced(X, X.p, 2e-4 * test::random_unit(random), 4e-3 * test::random_unit(random));
       tools.emplace_back(tool, X);
       origins.push_back(interior_point(tools.back(), placed_object, dilation).p_W);
     }

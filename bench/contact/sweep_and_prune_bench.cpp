@@ -17,11 +17,11 @@ BoundingBox box_at(const Vector3& centre, double half) { return {centre.array() 
 void update_and_query(benchmark::State& state, bool leaps) {
   std::mt19937_64 random(8);
   SweepAndPrune pruner;
-  for (int i = 0; i < state.range(0); ++i) pruner.add_static(box_at(testing::random_vector(random, 5.0), 0.05));
+  for (int i = 0; i < state.range(0); ++i) pruner.add_static(box_at(test::random_vector(random, 5.0), 0.05));
   std::vector<Vector3> centres;
   std::vector<int> handles;
   for (int i = 0; i < state.range(1); ++i) {
-    centres.push_back(testing::random_vector(random, 5.0));
+    centres.push_back(test::random_vector(random, 5.0));
     handles.push_back(pruner.add_moving(box_at(centres.back(), 0.05)));
   }
   Vector3 tool = Vector3::Zero();
@@ -29,8 +29,8 @@ void update_and_query(benchmark::State& state, bool leaps) {
   size_t found = 0, steps = 0;
   for (auto _ : state) {
     state.PauseTiming();
-    for (Vector3& centre : centres) centre += 0.005 * testing::random_unit(random);
-    tool = leaps ? testing::random_vector(random, 4.0) : Vector3(tool + 0.005 * testing::random_unit(random));
+    for (Vector3& centre : centres) centre += 0.005 * test::random_unit(random);
+    tool = leaps ? test::random_vector(random, 4.0) : Vector3(tool + 0.005 * test::random_unit(random));
     state.ResumeTiming();
     for (size_t i = 0; i < handles.size(); ++i) pruner.update(handles[i], box_at(centres[i], 0.05));
     found += pruner.candidates(box_at(tool, 0.2)).size();

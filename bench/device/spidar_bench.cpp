@@ -27,7 +27,7 @@ struct Tick {
 
 std::vector<Tick> ticks_of(const SpidarGeometry& geometry, double force, double torque) {
   const SpidarVector at_centre = spidar_strings(geometry, {}).lengths;
-  testing::SpidarPoses random(1);
+  test::SpidarPoses random(1);
   std::vector<Tick> ticks;
   for (int k = 0; k < 20000; ++k) {
     const double t = 1e-3 * k;

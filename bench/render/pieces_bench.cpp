@@ -27,12 +27,12 @@ double processor_time() {
 
 SceneGeometry comb_and_torus(bool moves) {
   SceneGeometry scene;
-  scene.tool.pieces = testing::comb_pieces(10);
+  scene.tool.pieces = test::comb_pieces(10);
   std::vector<MassProperties> parts;
   for (const Shape& piece : scene.tool.pieces) parts.push_back(mass_properties(piece, 1000.0));
   scene.tool.mass = combined(parts);
   Body body;
-  body.pieces = testing::torus_pieces(25, 8);
+  body.pieces = test::torus_pieces(25, 8);
   if (moves) body.moving_index = scene.moving_count++;
   scene.bodies.push_back(body);
   return scene;
@@ -41,8 +41,8 @@ SceneGeometry comb_and_torus(bool moves) {
 // The comb is drawn over the torus, pressed 1.5 mm into it, and turned.
 Pose hand(double t) {
   const double turn = 0.5 * std::sin(0.7 * t);
-  const Vector3 p(0.01 * std::sin(1.3 * t), testing::kTorusRadius + 0.01 * std::sin(1.9 * t),
-                  testing::kTorusTube + 0.008 - 1.5e-3 + 5e-4 * std::sin(5.0 * t));
+  const Vector3 p(0.01 * std::sin(1.3 * t), test::kTorusRadius + 0.01 * std::sin(1.9 * t),
+                  test::kTorusTube + 0.008 - 1.5e-3 + 5e-4 * std::sin(5.0 * t));
   return {p, rotation_from_vector({0.05 * std::sin(2.0 * t), 0.05 * std::sin(3.0 * t), turn})};
 }
 
@@ -98,7 +98,7 @@ void tick_of_many_pieces(benchmark::State& state) {
   parameters.friction = 0.5;
   ProxyMethod method(parameters, rig.scene());
   RenderOutput output;
-  output.X_WP = {{0.0, testing::kTorusRadius, 0.05}, Quaternion::Identity()};
+  output.X_WP = {{0.0, test::kTorusRadius, 0.05}, Quaternion::Identity()};
   std::vector<double> microseconds;
   double pairs = 0.0, dropped = 0.0, skipped = 0.0, rows = 0.0, linearisations = 0.0, touching = 0.0;
   int tick = 0;

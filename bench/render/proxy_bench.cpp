@@ -25,7 +25,7 @@ Shape rounded_tool(int count) {
   std::mt19937_64 random(5);
   std::vector<Vector3> points;
   for (int i = 0; i < count; ++i) {
-    const Vector3 u = testing::random_unit(random);
+    const Vector3 u = test::random_unit(random);
     // A superellipsoid between ball and box: every point is a corner of the hull.
     const double radius = 0.03 / std::pow(u.array().abs().pow(4.0).sum(), 0.25);
     points.push_back(radius * u);
@@ -41,7 +41,7 @@ Pose hand(const Pose& resting, double t) {
   return X_WT;
 }
 
-void run(benchmark::State& state, testing::ProxyRig& rig, const Pose& resting) {
+void run(benchmark::State& state, test::ProxyRig& rig, const Pose& resting) {
   rig.parameters.friction = 0.5;
   Pose above = resting;
   above.p += Vector3(-0.002, 0.0, 0.02);
@@ -70,25 +70,25 @@ void run(benchmark::State& state, testing::ProxyRig& rig, const Pose& resting) {
 }
 
 void one_contact(benchmark::State& state) {
-  testing::ProxyRig rig({rounded_tool(static_cast<int>(state.range(0)))});
+  test::ProxyRig rig({rounded_tool(static_cast<int>(state.range(0)))});
   rig.add_body(make_box({0.1, 0.1, 0.05}));
-  run(state, rig, testing::at(0.0, 0.0, 0.08));
+  run(state, rig, test::at(0.0, 0.0, 0.08));
 }
 
 // A floor and a wall.
 void two_contacts(benchmark::State& state) {
-  testing::ProxyRig rig({rounded_tool(static_cast<int>(state.range(0)))});
+  test::ProxyRig rig({rounded_tool(static_cast<int>(state.range(0)))});
   rig.add_body(make_box({0.1, 0.1, 0.05}));
-  rig.add_body(make_box({0.05, 0.1, 0.1}), testing::at(0.0795, 0.0, 0.1));
-  run(state, rig, testing::at(0.0, 0.0, 0.08));
+  rig.add_body(make_box({0.05, 0.1, 0.1}), test::at(0.0795, 0.0, 0.1));
+  run(state, rig, test::at(0.0, 0.0, 0.08));
 }
 
 // Faces of few corners.
 void two_contacts_of_a_box(benchmark::State& state) {
-  testing::ProxyRig rig({make_box({0.03, 0.03, 0.03})});
+  test::ProxyRig rig({make_box({0.03, 0.03, 0.03})});
   rig.add_body(make_box({0.1, 0.1, 0.05}));
-  rig.add_body(make_box({0.05, 0.1, 0.1}), testing::at(0.0795, 0.0, 0.1));
-  run(state, rig, testing::at(0.0, 0.0, 0.08));
+  rig.add_body(make_box({0.05, 0.1, 0.1}), test::at(0.0795, 0.0, 0.1));
+  run(state, rig, test::at(0.0, 0.0, 0.08));
 }
 
 BENCHMARK(two_contacts_of_a_box)->UseManualTime()->Iterations(20000);

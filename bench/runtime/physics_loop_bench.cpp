@@ -19,13 +19,13 @@ namespace {
 SceneGeometry crowd(int static_count, int moving_count) {
   std::mt19937_64 random(5);
   SceneGeometry scene;
-  scene.tool.pieces = {make_hull(testing::random_hull_points(random, 230, 0.1))};
+  scene.tool.pieces = {make_hull(test::random_hull_points(random, 230, 0.1))};
   scene.tool.mass = mass_properties(scene.tool.pieces[0], 1000.0);
   for (int i = 0; i < static_count + moving_count; ++i) {
     Body body;
-    body.pieces = {i % 3 == 0 ? make_hull(testing::random_hull_points(random, 18, 0.05))
+    body.pieces = {i % 3 == 0 ? make_hull(test::random_hull_points(random, 18, 0.05))
                               : make_box(Vector3(0.02, 0.03, 0.04))};
-    body.X_WB = testing::random_pose(random, 1.5);
+    body.X_WB = test::random_pose(random, 1.5);
     if (i >= static_count) body.moving_index = i - static_count;
     scene.bodies.push_back(std::move(body));
   }
@@ -34,7 +34,7 @@ SceneGeometry crowd(int static_count, int moving_count) {
 }
 
 void physics_build(benchmark::State& state) {
-  testing::FreeBodyWorld world(crowd(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
+  test::FreeBodyWorld world(crowd(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
   PhysicsLoop physics(world, {0.05, 0.002}, ModelNeeds{});
   const auto model = std::make_unique<IntermediateRepresentation>();
   DurationHistogram steps;

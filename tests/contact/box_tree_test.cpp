@@ -10,7 +10,7 @@
 #include <limits>
 #include <set>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 BoundingBox random_box(std::mt19937_64& random, double size) {
@@ -86,4 +86,4 @@ TEST(BoxTree, ATurnedBoxHoldsTheCornersTightly) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -11,7 +11,7 @@
 
 #include <string>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -20,10 +20,6 @@ struct BoxPair {
   Vector3 half_a, half_b;
   Pose X_WA, X_WB;
 };
-
-double uniform(std::mt19937_64& random, double lower, double upper) {
-  return std::uniform_real_distribution<double>(lower, upper)(random);
-}
 
 Vector3 random_half(std::mt19937_64& random) {
   return {uniform(random, 0.05, 1.0), uniform(random, 0.05, 1.0), uniform(random, 0.05, 1.0)};
@@ -133,4 +129,4 @@ TEST(ClosestPointsCertificate, DeepAndCoincidentBoxesHaveNoDistance) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

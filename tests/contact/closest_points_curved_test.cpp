@@ -10,7 +10,7 @@
 
 #include <functional>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 // The distance of b's centre (or a point of its axis) from a shape at the identity, minus b's radius.
@@ -229,4 +229,4 @@ TEST(ClosestPointsPlane, TwoPlanesHaveNoAnswer) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

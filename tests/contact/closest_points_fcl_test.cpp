@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 struct TwinShape {
@@ -79,4 +79,4 @@ TEST(ClosestPointsAgainstFcl, RandomPolytopePairs) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -9,15 +9,11 @@
 
 #include <gtest/gtest.h>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 constexpr double kGaps[] = {2e-6, 1e-7, 1e-8};
 const Vector3 kHalf(0.1, 0.08, 0.12);
-
-double uniform(std::mt19937_64& random, double lower, double upper) {
-  return std::uniform_real_distribution<double>(lower, upper)(random);
-}
 
 // From the centre of a box turned by q to the middle of its lowest vertex, edge or face.
 Vector3 to_lowest(const Quaternion& q) {
@@ -162,4 +158,4 @@ TEST(ClosestPointsSmallGap, CurvedShapesOverAFace) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -11,7 +11,7 @@
 
 #include <type_traits>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 std::vector<Shape> all_bounded_kinds() {
@@ -142,4 +142,4 @@ TEST(ClosestPointsWarm, QueriesDoNotAllocate) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// The FCL twin of a box or hull.
 inline std::shared_ptr<fcl::CollisionGeometryd> fcl_geometry(const Shape& shape) {
@@ -47,4 +47,4 @@ inline double fcl_distance(const fcl::CollisionGeometryd& a, const fcl::Transfor
   return result.min_distance;
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

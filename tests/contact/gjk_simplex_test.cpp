@@ -10,9 +10,9 @@
 namespace tegotae::gjk {
 namespace {
 
-using tegotae::testing::random_unit;
-using tegotae::testing::random_vector;
-using tegotae::testing::sweep_size;
+using tegotae::test::random_unit;
+using tegotae::test::random_vector;
+using tegotae::test::sweep_size;
 
 Simplex simplex_of(const std::vector<Vector3>& points) {
   Simplex simplex;

@@ -11,7 +11,7 @@ extern "C" {
 #include <limits>
 #include <string>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 void append(std::vector<OracleHalfSpace>& half_spaces, const PlacedShape& placed, const Vector3& dilation_W) {
@@ -126,4 +126,4 @@ double least_spacing(const std::vector<Vector3>& points) {
   return least;
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

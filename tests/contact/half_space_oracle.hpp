@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// normal . p <= offset, world frame, m.
 struct OracleHalfSpace {
@@ -38,4 +38,4 @@ double set_distance(const std::vector<Vector3>& a, const std::vector<Vector3>& b
 /// The least distance between two of the points.
 double least_spacing(const std::vector<Vector3>& points);
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -19,14 +19,14 @@ TEST(IntersectionAllocation, TheClipFormAndTheInteriorPointDoNotAllocate) {
   ClipWorkspace workspace(64, 128);
   std::vector<IntersectionVertex> vertices(1024);
   for (int i = 0; i < 300; ++i) {
-    const auto pair = testing::random_case(random);
+    const auto pair = test::random_case(random);
     const PlacedShape tool = pair.placed_tool(), object = pair.placed_object();
-    const testing::AllocationCounter counter;
+    const test::AllocationCounter counter;
     const int count = intersection_by_clipping(tool, object, pair.dilation, workspace, vertices);
     const InteriorPoint inner = interior_point(tool, object, pair.dilation);
     EXPECT_EQ(counter.count(), 0u) << "pair " << i << ": " << count << " vertices, " << inner.slack << " m of slack";
   }
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   const std::vector<int> memory(100);
   EXPECT_EQ(counter.count(), 1u) << "the counter itself: " << memory.size();
 }
@@ -35,13 +35,13 @@ TEST(IntersectionAllocation, AWarmSweepAndPruneDoesNotAllocate) {
   std::mt19937_64 random(71);
   SweepAndPrune pruner;
   const auto box = [&] {
-    const Vector3 centre = testing::random_vector(random, 2.0);
+    const Vector3 centre = test::random_vector(random, 2.0);
     return BoundingBox{centre.array() - 0.3, centre.array() + 0.3};
   };
   for (int i = 0; i < 500; ++i) pruner.add_static(box());
   for (int i = 0; i < 100; ++i) pruner.add_moving(box());
   size_t found = pruner.candidates(box()).size();
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int i = 0; i < 200; ++i) {
     pruner.update(500 + i % 100, box());
     found += pruner.candidates(box()).size();

@@ -9,7 +9,10 @@
 #include <random>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
+
+/// Vertices of an intersection agree to this: m, at unit size.
+inline constexpr double kSame = 1e-9;
 
 /// A tool, an object and where they are.
 struct IntersectionCase {
@@ -70,4 +73,4 @@ inline bool features_differ(const std::vector<IntersectionVertex>& vertices) {
          std::adjacent_find(features.begin(), features.end()) == features.end();
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -15,9 +15,8 @@
 namespace tegotae {
 namespace {
 
-using testing::IntersectionCase;
-
-constexpr double kSame = 1e-9;  // m, at unit size
+using test::IntersectionCase;
+using test::kSame;
 
 struct DegenerateCase {
   std::string name;
@@ -45,7 +44,7 @@ std::vector<DegenerateCase> degenerate_cases() {
   const Quaternion same = Quaternion::Identity(), diamond = about({0, 0, 1}, 45.0);
   const Shape cube = make_box({0.5, 0.5, 0.5}), small = make_box({0.3, 0.3, 0.3}), thin = make_box({0.1, 0.8, 0.5});
   std::mt19937_64 random(40);
-  const Shape hull = make_hull(testing::random_hull_points(random, 20, 1.0));
+  const Shape hull = make_hull(test::random_hull_points(random, 20, 1.0));
   const double half_diagonal = 0.5 * std::numbers::sqrt2;
   return {
       {"face to face, same size, touching", {cube, cube, {{0, 0, 1.0}, same}, {}, none}, 4},
@@ -91,25 +90,25 @@ class IntersectionDegenerate : public ::testing::TestWithParam<DegenerateCase> {
 TEST_P(IntersectionDegenerate, LosesNoVertexAndGivesNoneTwice) {
   std::mt19937_64 random(41);
   ClipWorkspace workspace(64, 64);
-  const int motions = testing::sweep_size(60);
+  const int motions = test::sweep_size(60);
   for (int motion = 0; motion < motions; ++motion) {
     SCOPED_TRACE(motion);
     IntersectionCase pair = GetParam().pair;
-    const Pose X = motion == 0 ? Pose{} : testing::random_pose(random, 2.0);
+    const Pose X = motion == 0 ? Pose{} : test::random_pose(random, 2.0);
     pair.X_WT = X * pair.X_WT;
     pair.X_WO = X * pair.X_WO;
     pair.dilation = X.q * pair.dilation;
-    const auto half_spaces = testing::half_spaces_of(pair.placed_tool(), pair.placed_object(), pair.dilation);
-    const auto expected = testing::merged(testing::vertices_by_triples(half_spaces, 1e-11), kSame);
+    const auto half_spaces = test::half_spaces_of(pair.placed_tool(), pair.placed_object(), pair.dilation);
+    const auto expected = test::merged(test::vertices_by_triples(half_spaces, 1e-11), kSame);
     ASSERT_EQ(expected.size(), GetParam().vertices) << "the oracle itself";
-    const auto clipped = testing::clip(pair, workspace);
-    EXPECT_LE(testing::set_distance(testing::points_of(clipped), expected), kSame) << clipped.size();
-    EXPECT_TRUE(testing::features_differ(clipped));
+    const auto clipped = test::clip(pair, workspace);
+    EXPECT_LE(test::set_distance(test::points_of(clipped), expected), kSame) << clipped.size();
+    EXPECT_TRUE(test::features_differ(clipped));
     std::vector<IntersectionVertex> dual;
     const InteriorPoint inner = interior_point(pair.placed_tool(), pair.placed_object(), pair.dilation);
     EXPECT_EQ(intersection_by_duality(pair.placed_tool(), pair.placed_object(), pair.dilation, dual), inner.exists);
     if (inner.exists) {
-      EXPECT_LE(testing::set_distance(testing::points_of(dual), expected), kSame) << dual.size();
+      EXPECT_LE(test::set_distance(test::points_of(dual), expected), kSame) << dual.size();
     }
   }
 }

@@ -14,7 +14,7 @@ namespace tegotae {
 namespace {
 
 using Kind = IntersectionVertexKind;
-using testing::IntersectionCase;
+using test::IntersectionCase;
 
 TEST(IntersectionFeature, PacksAndUnpacks) {
   const int last = IntersectionFeature::kIndexLimit - 1;
@@ -82,10 +82,10 @@ TEST(IntersectionFeature, NamesTheFeaturesThatMeetInTheVertex) {
   std::mt19937_64 random(50);
   ClipWorkspace workspace(256, 512);
   std::map<Kind, int> seen;
-  for (int i = 0; i < testing::sweep_size(1000); ++i) {
-    const IntersectionCase pair = testing::random_case(random);
+  for (int i = 0; i < test::sweep_size(1000); ++i) {
+    const IntersectionCase pair = test::random_case(random);
     if (!pair.object.is_bounded()) continue;
-    for (const auto& vertex : testing::clip(pair, workspace)) {
+    for (const auto& vertex : test::clip(pair, workspace)) {
       ++seen[IntersectionFeature::unpacked(vertex.feature).kind];
       ASSERT_LT(distance_to_features(pair, vertex), 1e-9) << "pair " << i;
     }
@@ -104,13 +104,13 @@ TEST(IntersectionFeature, StaysWithItsVertexUnderSmallMotions) {
   std::mt19937_64 random(51);
   ClipWorkspace workspace(256, 512);
   int kept = 0, changed = 0;
-  for (int i = 0; i < testing::sweep_size(400); ++i) {
-    IntersectionCase pair = testing::random_case(random);
-    auto before = by_feature(testing::clip(pair, workspace));
+  for (int i = 0; i < test::sweep_size(400); ++i) {
+    IntersectionCase pair = test::random_case(random);
+    auto before = by_feature(test::clip(pair, workspace));
     for (int step = 0; step < 5; ++step) {
-      const Vector3 dr = 1e-7 * testing::random_unit(random), dtheta = 1e-7 * testing::random_unit(random);
+      const Vector3 dr = 1e-7 * test::random_unit(random), dtheta = 1e-7 * test::random_unit(random);
       pair.X_WT = displaced(pair.X_WT, pair.X_WT.p, dr, dtheta);
-      const auto after = by_feature(testing::clip(pair, workspace));
+      const auto after = by_feature(test::clip(pair, workspace));
       for (const auto& [feature, p] : after) {
         const auto partner = before.find(feature);
         if (partner == before.end()) {
@@ -123,7 +123,7 @@ TEST(IntersectionFeature, StaysWithItsVertexUnderSmallMotions) {
       before = after;
     }
   }
-  EXPECT_GT(kept, testing::sweep_size(10000));
+  EXPECT_GT(kept, test::sweep_size(10000));
   EXPECT_LT(changed, kept / 10000 + 1);
 }
 
@@ -134,13 +134,13 @@ TEST(IntersectionFeature, IsTheSameForCoincidentFeaturesInEveryPlace) {
   const Shape cube = make_box({0.5, 0.5, 0.5}), brick = make_box({0.5, 0.3, 0.2});
   for (const Shape& tool : {cube, brick}) {
     const IntersectionCase start{tool, cube, {{0.0, 0.2, 0.45}, Quaternion::Identity()}, {}, Vector3::Zero()};
-    const auto expected = by_feature(testing::clip(start, workspace));
+    const auto expected = by_feature(test::clip(start, workspace));
     for (int i = 0; i < 100; ++i) {
       IntersectionCase pair = start;
-      const Pose X = testing::random_pose(random, 2.0);
+      const Pose X = test::random_pose(random, 2.0);
       pair.X_WT = X * pair.X_WT;
       pair.X_WO = X * pair.X_WO;
-      const auto moved = by_feature(testing::clip(pair, workspace));
+      const auto moved = by_feature(test::clip(pair, workspace));
       ASSERT_EQ(moved.size(), expected.size());
       for (const auto& [feature, p] : moved) {
         ASSERT_TRUE(expected.contains(feature)) << "motion " << i;

@@ -15,73 +15,72 @@
 namespace tegotae {
 namespace {
 
-using testing::IntersectionCase;
-using testing::points_of;
-
-constexpr double kSame = 1e-9;  // m, at unit size
+using test::IntersectionCase;
+using test::kSame;
+using test::points_of;
 
 TEST(Intersection, TenThousandRandomPairsAgreeWithQhull) {
   std::mt19937_64 random(20);
   ClipWorkspace workspace(256, 512);
   int overlapping = 0, apart = 0, dilated = 0;
-  for (int i = 0; i < testing::sweep_size(10000); ++i) {
-    const IntersectionCase pair = testing::random_case(random);
+  for (int i = 0; i < test::sweep_size(10000); ++i) {
+    const IntersectionCase pair = test::random_case(random);
     SCOPED_TRACE(::testing::Message() << "pair " << i << ": " << name_of(pair.tool.kind) << " in "
                                       << name_of(pair.object.kind) << " dilated by " << pair.dilation.transpose());
-    const auto half_spaces = testing::half_spaces_of(pair.placed_tool(), pair.placed_object(), pair.dilation);
-    const auto clipped = testing::clip(pair, workspace);
+    const auto half_spaces = test::half_spaces_of(pair.placed_tool(), pair.placed_object(), pair.dilation);
+    const auto clipped = test::clip(pair, workspace);
     const InteriorPoint inner = interior_point(pair.placed_tool(), pair.placed_object(), pair.dilation);
     if (!inner.exists) {
       EXPECT_TRUE(clipped.empty());
       ++apart;
       continue;
     }
-    EXPECT_NEAR(testing::least_slack(half_spaces, inner.p_W), inner.slack, 1e-12);
+    EXPECT_NEAR(test::least_slack(half_spaces, inner.p_W), inner.slack, 1e-12);
     // Where hardly anything is shared, 1e-9 m tells nothing about vertices.
     if (inner.slack < 1e-6) continue;
-    const auto reference = testing::vertices_by_qhull(half_spaces, inner.p_W);
+    const auto reference = test::vertices_by_qhull(half_spaces, inner.p_W);
     ASSERT_TRUE(reference.has_value());
-    const auto expected = testing::merged(*reference, 1e-8);
+    const auto expected = test::merged(*reference, 1e-8);
     std::vector<IntersectionVertex> dual;
     ASSERT_TRUE(intersection_by_duality(pair.placed_tool(), pair.placed_object(), pair.dilation, dual));
-    EXPECT_LT(testing::set_distance(points_of(clipped), expected), kSame) << clipped.size() << " / " << expected.size();
-    EXPECT_LT(testing::set_distance(points_of(dual), expected), kSame) << dual.size() << " / " << expected.size();
-    EXPECT_TRUE(testing::features_differ(clipped));
+    EXPECT_LT(test::set_distance(points_of(clipped), expected), kSame) << clipped.size() << " / " << expected.size();
+    EXPECT_LT(test::set_distance(points_of(dual), expected), kSame) << dual.size() << " / " << expected.size();
+    EXPECT_TRUE(test::features_differ(clipped));
     ++overlapping;
     dilated += pair.dilation.norm() > 0.0 ? 1 : 0;
   }
-  EXPECT_GT(overlapping, testing::sweep_size(5000));
-  EXPECT_GT(dilated, testing::sweep_size(2000));
-  EXPECT_GT(apart, testing::sweep_size(100));
+  EXPECT_GT(overlapping, test::sweep_size(5000));
+  EXPECT_GT(dilated, test::sweep_size(2000));
+  EXPECT_GT(apart, test::sweep_size(100));
 }
 
 TEST(Intersection, QhullAgreesWithEveryThreePlanes) {
   std::mt19937_64 random(21);
   ClipWorkspace workspace(64, 128);
   int compared = 0;
-  for (int i = 0; i < testing::sweep_size(300); ++i) {
-    const IntersectionCase pair = testing::random_small_case(random);
+  for (int i = 0; i < test::sweep_size(300); ++i) {
+    const IntersectionCase pair = test::random_small_case(random);
     const InteriorPoint inner = interior_point(pair.placed_tool(), pair.placed_object(), pair.dilation);
     if (!inner.exists || inner.slack < 1e-6) continue;
-    const auto half_spaces = testing::half_spaces_of(pair.placed_tool(), pair.placed_object(), pair.dilation);
-    const auto expected = testing::merged(testing::vertices_by_triples(half_spaces, 1e-11), kSame);
-    EXPECT_LT(testing::set_distance(points_of(testing::clip(pair, workspace)), expected), kSame) << "pair " << i;
+    const auto half_spaces = test::half_spaces_of(pair.placed_tool(), pair.placed_object(), pair.dilation);
+    const auto expected = test::merged(test::vertices_by_triples(half_spaces, 1e-11), kSame);
+    EXPECT_LT(test::set_distance(points_of(test::clip(pair, workspace)), expected), kSame) << "pair " << i;
     ++compared;
   }
-  EXPECT_GT(compared, testing::sweep_size(150));
+  EXPECT_GT(compared, test::sweep_size(150));
 }
 
 TEST(Intersection, InteriorPointIsTheCentreOfTheGreatestBall) {
   std::mt19937_64 random(22);
-  for (int i = 0; i < testing::sweep_size(1000); ++i) {
-    const IntersectionCase pair = testing::random_case(random);
+  for (int i = 0; i < test::sweep_size(1000); ++i) {
+    const IntersectionCase pair = test::random_case(random);
     const InteriorPoint inner = interior_point(pair.placed_tool(), pair.placed_object(), pair.dilation);
     if (!inner.exists) continue;
-    const auto half_spaces = testing::half_spaces_of(pair.placed_tool(), pair.placed_object(), pair.dilation);
+    const auto half_spaces = test::half_spaces_of(pair.placed_tool(), pair.placed_object(), pair.dilation);
     // The program is concave: no better point nearby, no better point anywhere.
     for (int k = 0; k < 50; ++k) {
-      const Vector3 other = inner.p_W + (k % 2 == 0 ? 1e-4 : 1e-1) * testing::random_unit(random);
-      EXPECT_LE(testing::least_slack(half_spaces, other), inner.slack + 1e-12);
+      const Vector3 other = inner.p_W + (k % 2 == 0 ? 1e-4 : 1e-1) * test::random_unit(random);
+      EXPECT_LE(test::least_slack(half_spaces, other), inner.slack + 1e-12);
     }
   }
 }
@@ -128,19 +127,19 @@ TEST(Intersection, PrecisionDoesNotDependOnThePlaceInTheWorld) {
   ClipWorkspace workspace(256, 512);
   const Vector3 away(600.0, -640.0, 480.0);  // 1 km; positions there are rounded to 1.1e-13 m
   int compared = 0;
-  for (int i = 0; i < testing::sweep_size(500); ++i) {
-    IntersectionCase pair = testing::random_case(random);
+  for (int i = 0; i < test::sweep_size(500); ++i) {
+    IntersectionCase pair = test::random_case(random);
     const InteriorPoint inner = interior_point(pair.placed_tool(), pair.placed_object(), pair.dilation);
     if (!inner.exists || inner.slack < 1e-4 || !pair.object.is_bounded()) continue;
-    const auto near = points_of(testing::clip(pair, workspace));
+    const auto near = points_of(test::clip(pair, workspace));
     pair.X_WT.p += away;
     pair.X_WO.p += away;
-    auto far = points_of(testing::clip(pair, workspace));
+    auto far = points_of(test::clip(pair, workspace));
     for (Vector3& p : far) p -= away;
-    EXPECT_LT(testing::set_distance(near, far), 1e-10) << "pair " << i;
+    EXPECT_LT(test::set_distance(near, far), 1e-10) << "pair " << i;
     ++compared;
   }
-  EXPECT_GT(compared, testing::sweep_size(200));
+  EXPECT_GT(compared, test::sweep_size(200));
 }
 
 TEST(Intersection, CurvedShapesAreTakenAsTheirStandIns) {
@@ -153,11 +152,11 @@ TEST(Intersection, CurvedShapesAreTakenAsTheirStandIns) {
                      << name_of(tool->kind) << " in " << name_of(object->kind) << " dilated by " << dilation);
         const IntersectionCase pair{
             *tool, *object, {{0.03, 0.02, 0.05}, Quaternion(0.9, 0.1, 0.2, 0.3).normalized()}, {}, dilation};
-        const auto clipped = testing::clip(pair, workspace);
+        const auto clipped = test::clip(pair, workspace);
         std::vector<IntersectionVertex> dual;
         ASSERT_TRUE(intersection_by_duality(pair.placed_tool(), pair.placed_object(), dilation, dual));
         EXPECT_GT(clipped.size(), 8u);
-        EXPECT_LT(testing::set_distance(points_of(clipped), points_of(dual)), kSame)
+        EXPECT_LT(test::set_distance(points_of(clipped), points_of(dual)), kSame)
             << clipped.size() << " / " << dual.size();
       }
     }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 struct LineInterval {
   double from, to;  ///< m along the line's direction
@@ -38,4 +38,4 @@ inline std::optional<double> gap_over(const PlacedShape& tool, const PlacedShape
   return above->from - below->to;
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -3,7 +3,7 @@
 
 #include <tests/contact/support_plane.hpp>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// The least translation that parts two polytopes, m, by brute force: over the face normals of both and the cross
 /// products of all their edge pairs, which hold all face normals of the Minkowski difference; negative when they are
@@ -38,4 +38,4 @@ inline double least_depth_over_faces(const Shape& a, const Pose& X_WA, const Sha
   return least;
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

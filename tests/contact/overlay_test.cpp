@@ -13,7 +13,7 @@
 #include <numbers>
 #include <set>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 struct Overlaid {
@@ -274,4 +274,4 @@ TEST(Overlay, AllocatesNothingAndSaysWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -10,12 +10,8 @@
 
 #include <functional>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
-
-double uniform(std::mt19937_64& random, double lower, double upper) {
-  return std::uniform_real_distribution<double>(lower, upper)(random);
-}
 
 TEST(PenetrationCurved, SpheresInClosedFormEvenConcentric) {
   const Shape a = make_sphere(0.3);
@@ -119,4 +115,4 @@ TEST(PenetrationCurved, NoDirectionOfAFineSearchIsBetter) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 TEST(PenetrationFrom, ThinPlateKeepsItsSideBeyondHalfItsThickness) {
@@ -74,4 +74,4 @@ TEST(PenetrationFrom, DepthIsContinuousWhileTheToolRolls) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -56,7 +56,7 @@ TEST(GrowingPolytope, NearestFaceNeverComesCloserAndStopsAtTheCapacity) {
 TEST(GrowingPolytope, CoplanarPointsOfACube) {
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 200; ++trial) {
-    const Quaternion q = trial == 0 ? Quaternion(1.0, 0.0, 0.0, 0.0) : tegotae::testing::random_rotation(random);
+    const Quaternion q = trial == 0 ? Quaternion(1.0, 0.0, 0.0, 0.0) : tegotae::test::random_rotation(random);
     const auto corner_along = [&](const Vector3& n) {
       const Vector3 n_C = q.conjugate() * n;
       return Vector3(q * Vector3(n_C.x() > 0.0 ? 1.0 : -1.0, n_C.y() > 0.0 ? 1.0 : -1.0, n_C.z() > 0.0 ? 1.0 : -1.0));

@@ -12,12 +12,8 @@
 #include <cmath>
 #include <limits>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
-
-double uniform(std::mt19937_64& random, double lower, double upper) {
-  return std::uniform_real_distribution<double>(lower, upper)(random);
-}
 
 Pose moved(const Pose& X, const Vector3& by) { return {X.p + by, X.q}; }
 
@@ -162,4 +158,4 @@ TEST(Penetration, NotANumberIsInvalid) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

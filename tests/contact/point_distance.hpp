@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 // Distances of a point from a shape in the shape's own frame, in closed form or by bisection; shares nothing with the
 // library. All in metres, 0 inside.
@@ -58,4 +58,4 @@ double least_on_unit_interval(Function function) {
   return function(0.5 * (low + high));
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// The separating-axis theorem for two boxes, in long double; shares nothing with the library.
 class SeparatingAxis {
@@ -53,4 +53,4 @@ class SeparatingAxis {
   Long3 between_;
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

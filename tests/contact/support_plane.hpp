@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// Vertices of a box or hull in the world, m.
 inline std::vector<Vector3> vertices_in_world(const Shape& shape, const Pose& X_WB) {
@@ -37,4 +37,4 @@ inline double height_over_surface(const Shape& shape, const Pose& X_WB, const Ve
   return std::abs(height);
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -56,7 +56,7 @@ class Scene {
       pruner.update(handle, box);
     }
     tool += 0.05 * Vector3(normal(random_), normal(random_), normal(random_));
-    if (random_() % 100 == 0) tool = testing::random_vector(random_, 6.0);
+    if (random_() % 100 == 0) tool = test::random_vector(random_, 6.0);
   }
 
   BoundingBox query() { return box_at(tool, Vector3::Constant(0.8)); }
@@ -69,7 +69,7 @@ class Scene {
   BoundingBox random_box() {
     std::uniform_real_distribution<double> half(0.01, 0.5);
     const double x = half(random_), y = half(random_), z = half(random_);
-    return box_at(testing::random_vector(random_, 5.0), {x, y, z});
+    return box_at(test::random_vector(random_, 5.0), {x, y, z});
   }
   void add(const BoundingBox& box, bool moving) {
     const int handle = moving ? pruner.add_moving(box) : pruner.add_static(box);
@@ -85,13 +85,13 @@ class Scene {
 TEST(SweepAndPrune, TwoThousandCoherentStepsAgreeWithBruteForce) {
   Scene scene(60, 300, 100);
   size_t found = 0;
-  for (int i = 0; i < testing::sweep_size(2000); ++i) {
+  for (int i = 0; i < test::sweep_size(2000); ++i) {
     scene.step();
     const auto expected = by_brute_force(scene.boxes, scene.query());
     ASSERT_EQ(to_vector(scene.pruner.candidates(scene.query())), expected) << "step " << i;
     found += expected.size();
   }
-  EXPECT_GT(found, static_cast<size_t>(testing::sweep_size(2000)));
+  EXPECT_GT(found, static_cast<size_t>(test::sweep_size(2000)));
 }
 
 TEST(SweepAndPrune, AgreesInAFullScene) {

@@ -14,7 +14,7 @@
 namespace tegotae {
 namespace {
 
-using testing::comes_true;
+using test::comes_true;
 
 constexpr Connection::Pace kQuick{std::chrono::milliseconds(1), std::chrono::milliseconds(3)};
 
@@ -182,8 +182,8 @@ TEST(ReconnectingInterface, ReadingAndWritingTakeNoLockAndNoMemory) {
   Bench bench;
   ReconnectingInterface interface(opener_of(bench)(), opener_of(bench), kQuick);
   InterfaceState state;
-  const testing::AllocationCounter allocations;
-  const testing::LockCounter locks;
+  const test::AllocationCounter allocations;
+  const test::LockCounter locks;
   for (int tick = 0; tick < 100; ++tick) {
     bench.reading = tick < 20 ? DeviceAnswer::kFailed : DeviceAnswer::kOk;
     interface.read(0.0, state);

@@ -14,9 +14,9 @@
 namespace tegotae {
 namespace {
 
-using testing::DoubleDevice;
-using testing::DoubleReading;
-using testing::DoubleStateFile;
+using test::DoubleDevice;
+using test::DoubleReading;
+using test::DoubleStateFile;
 
 Wrench push(double x, double y, double z) { return {{x, y, z}, Vector3::Zero()}; }
 

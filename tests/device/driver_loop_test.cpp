@@ -19,7 +19,7 @@
 namespace tegotae {
 namespace {
 
-using testing::DoubleStateFile;
+using test::DoubleStateFile;
 
 struct DriverCase {
   const char* driver;
@@ -87,7 +87,7 @@ class DriverLoop : public ::testing::TestWithParam<DriverCase> {
   // before, N: its distance from the segment between zero and that.
   double largest_growth() const {
     const std::uint64_t count = device->command_count.load();
-    const std::uint64_t first = count > testing::DoubleState::kCommands ? count - testing::DoubleState::kCommands : 0;
+    const std::uint64_t first = count > test::DoubleState::kCommands ? count - test::DoubleState::kCommands : 0;
     double largest = 0.0;
     Vector3 before = force(first);
     for (std::uint64_t i = first + 1; i < count; ++i) {
@@ -100,13 +100,13 @@ class DriverLoop : public ::testing::TestWithParam<DriverCase> {
     return largest;
   }
   Vector3 force(std::uint64_t command) const {
-    const auto& values = device->commands[command % testing::DoubleState::kCommands].force;
+    const auto& values = device->commands[command % test::DoubleState::kCommands].force;
     return {values[0].load(), values[1].load(), values[2].load()};
   }
 
   const InterfaceDriver& driver = find_interface_driver(GetParam().driver);
   DoubleStateFile device{GetParam().model};
-  testing::FreeBodyWorld world{testing::cube_over_floor()};
+  test::FreeBodyWorld world{test::cube_over_floor()};
   PhysicsLoop physics{world, {0.01, 0.005}, ModelNeeds{}};
   SafetyLimits limits;
   std::unique_ptr<HapticInterface> interface;

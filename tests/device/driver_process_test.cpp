@@ -16,12 +16,12 @@
 namespace tegotae {
 namespace {
 
+using test::comes_true;
+using test::DoubleStateFile;
+using test::HoldingProbe;
+using test::run_probe;
 using ::testing::AllOf;
-using testing::comes_true;
-using testing::DoubleStateFile;
 using ::testing::HasSubstr;
-using testing::HoldingProbe;
-using testing::run_probe;
 
 TEST(DriverProcess, WithoutTheLibrarySaysWhereItLookedAndWhatToInstall) {
   const auto force_dimension = run_probe("", "find force-dimension");
@@ -60,15 +60,15 @@ TEST(DriverProcess, LibdhdAloneServesADeviceThatIsCalibrated) {
   EXPECT_EQ(device->closes.load(), 1u);
 }
 
-struct DriverCase {
+struct ProcessCase {
   const char* driver;
   const char* folder;
   const char* options;
 };
 
-void PrintTo(const DriverCase& each, std::ostream* out) { *out << each.driver; }
+void PrintTo(const ProcessCase& each, std::ostream* out) { *out << each.driver; }
 
-class KilledDriver : public ::testing::TestWithParam<DriverCase> {};
+class KilledDriver : public ::testing::TestWithParam<ProcessCase> {};
 
 // What the guard relies on: the device of a process that was killed displays its last command, nobody can open it
 // before, and `silence` brings it to zero.
@@ -91,8 +91,8 @@ TEST_P(KilledDriver, LeavesItsForceUntilSomebodySilencesIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Drivers, KilledDriver,
-                         ::testing::Values(DriverCase{"force-dimension", "force-dimension", ""},
-                                           DriverCase{"virtuose", "virtuose", "arm"}),
+                         ::testing::Values(ProcessCase{"force-dimension", "force-dimension", ""},
+                                           ProcessCase{"virtuose", "virtuose", "arm"}),
                          [](const auto& each) {
                            std::string name = each.param.driver;
                            std::replace(name.begin(), name.end(), '-', '_');

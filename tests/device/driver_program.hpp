@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// What a driver_probe printed, and how it ended.
 struct ProbeResult {
@@ -76,4 +76,4 @@ class HoldingProbe {
   pid_t pid_ = -1;
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -18,12 +18,12 @@
 namespace tegotae {
 namespace {
 
+using test::comes_true;
+using test::DoubleStateFile;
+using test::refusal;
 using ::testing::AllOf;
-using testing::comes_true;
-using testing::DoubleStateFile;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
-using testing::refusal;
 
 // A sigma.7 on the cable, which has all there is, in an orientation and at a place of no symmetry. Its clock stands
 // still, so that it stays there.
@@ -326,8 +326,8 @@ TEST_F(ForceDimensionTest, AnotherDeviceOfTheSameModelIsNotTakenForTheLostOne) {
 
 TEST_F(ForceDimensionTest, ReadingAndWritingTakeNoMemoryAndNoLock) {
   const auto interface = open();
-  const testing::AllocationCounter allocations;
-  const testing::LockCounter locks;
+  const test::AllocationCounter allocations;
+  const test::LockCounter locks;
   for (int i = 0; i < 100; ++i) {
     interface->read(1e-3 * i, state);
     interface->write({{{1.0, 0.0, 0.0}, Vector3::Zero()}, 0.0});

@@ -124,7 +124,7 @@ TEST(GuidedMotion, AllocatesNothingForTheHand) {
   motion.play(shift(1.0, 0.01));
   motion.guide(at_x(0.5));
   motion.play(shift(1.0, 0.01));
-  const testing::AllocationCounter allocations;
+  const test::AllocationCounter allocations;
   for (int i = 0; i < 100; ++i) motion.at(kPeriod * i);
   EXPECT_EQ(allocations.count(), 0u);
 }

@@ -9,7 +9,7 @@
 namespace tegotae {
 namespace {
 
-using testing::refusal;
+using test::refusal;
 
 TEST(InterfaceOptions, OneValueWithoutAndSomeWithAName) {
   InterfaceOptions options("some-arm", "host#7,axes=y-xz,mass=0.25");

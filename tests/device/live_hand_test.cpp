@@ -9,17 +9,17 @@
 namespace tegotae {
 namespace {
 
-constexpr double kPeriod = 1e-3;  // s
+constexpr double kHandPeriod = 1e-3;  // s
 
-Pose at_x(double x) { return {{x, 0.0, 0.0}, Quaternion::Identity()}; }
+Pose hand_at_x(double x) { return {{x, 0.0, 0.0}, Quaternion::Identity()}; }
 
 struct Rig {
   explicit Rig(std::optional<Trajectory> exact = std::nullopt)
-      : hand(at_x(0.0), simulated_device("page"), simulated_hand("moderate"), std::move(exact)) {}
+      : hand(hand_at_x(0.0), simulated_device("page"), simulated_hand("moderate"), std::move(exact)) {}
 
   void run(int ticks, double force_x = 0.0) {
     for (int i = 0; i < ticks; ++i) {
-      ASSERT_EQ(hand.read(kPeriod * count++, state), InterfaceStatus::kOk);
+      ASSERT_EQ(hand.read(kHandPeriod * count++, state), InterfaceStatus::kOk);
       ASSERT_EQ(hand.write({{{force_x, 0.0, 0.0}, Vector3::Zero()}, 0.0}), InterfaceStatus::kOk);
     }
   }
@@ -31,7 +31,7 @@ struct Rig {
 
 TEST(LiveHand, FollowsWhoGuidesIt) {
   Rig rig;
-  rig.hand.guide().guide(at_x(0.1));
+  rig.hand.guide().guide(hand_at_x(0.1));
   rig.run(2000);
   EXPECT_NEAR(rig.state.X_WT.p.x(), 0.1, 1e-4);
 }
@@ -44,7 +44,7 @@ TEST(LiveHand, GivesWayToAForceAsItsStiffnessAllows) {
 }
 
 TEST(LiveHand, PlaysAMotionExactlyWhateverIsDisplayedThenTakesTheTool) {
-  Rig rig(Trajectory({{2.0, at_x(0.5)}, {3.0, at_x(0.7)}}));
+  Rig rig(Trajectory({{2.0, hand_at_x(0.5)}, {3.0, hand_at_x(0.7)}}));
   EXPECT_TRUE(rig.hand.is_playing_exactly());
   rig.run(501, 10.0);
   EXPECT_NEAR(rig.state.X_WT.p.x(), 0.6, 1e-9);
@@ -55,7 +55,7 @@ TEST(LiveHand, PlaysAMotionExactlyWhateverIsDisplayedThenTakesTheTool) {
 }
 
 TEST(LiveHand, IsInterrupted) {
-  Rig rig(Trajectory({{0.0, at_x(0.0)}, {10.0, at_x(1.0)}}));
+  Rig rig(Trajectory({{0.0, hand_at_x(0.0)}, {10.0, hand_at_x(1.0)}}));
   rig.run(1001);
   rig.hand.interrupt();
   rig.run(1000);
@@ -65,10 +65,10 @@ TEST(LiveHand, IsInterrupted) {
 }
 
 TEST(LiveHand, TakesTheToolFromAMotionWithoutALeap) {
-  Rig rig(Trajectory({{0.0, at_x(0.0)}, {10.0, at_x(0.0)}}));
+  Rig rig(Trajectory({{0.0, hand_at_x(0.0)}, {10.0, hand_at_x(0.0)}}));
   rig.run(5001);
   rig.hand.interrupt();
-  rig.hand.guide().guide(at_x(1.0));
+  rig.hand.guide().guide(hand_at_x(1.0));
   rig.run(51);
   EXPECT_LE(rig.hand.guide().intended().p.x(), 0.05 * (1.0 + 1e-9)) << "it comes at 1 m/s at most";
   EXPECT_LE(rig.state.X_WT.p.x(), 0.05);
@@ -76,30 +76,30 @@ TEST(LiveHand, TakesTheToolFromAMotionWithoutALeap) {
 
 TEST(LiveHand, IsLostForOneReadingAfterTheProgramWasStoppedAndHoldsTheToolWhereItWas) {
   Rig rig;
-  rig.hand.guide().guide(at_x(0.1));
+  rig.hand.guide().guide(hand_at_x(0.1));
   rig.run(2000);
   rig.count += 5000;
-  EXPECT_EQ(rig.hand.read(kPeriod * rig.count++, rig.state), InterfaceStatus::kLost);
+  EXPECT_EQ(rig.hand.read(kHandPeriod * rig.count++, rig.state), InterfaceStatus::kLost);
   rig.run(100);
   EXPECT_NEAR(rig.state.X_WT.p.x(), 0.1, 1e-4);
-  rig.hand.guide().guide(at_x(0.2));
+  rig.hand.guide().guide(hand_at_x(0.2));
   rig.run(2000);
   EXPECT_NEAR(rig.state.X_WT.p.x(), 0.2, 1e-4);
 }
 
 TEST(LiveHand, AScriptAfterAMotionTakesItsOwnTime) {
-  Rig rig(Trajectory({{0.0, at_x(0.0)}, {1.0, at_x(0.0)}}));
+  Rig rig(Trajectory({{0.0, hand_at_x(0.0)}, {1.0, hand_at_x(0.0)}}));
   rig.run(500);
   rig.hand.interrupt();
-  rig.hand.guide().play(Trajectory({{0.0, Pose()}, {1.0, at_x(0.2)}}));
+  rig.hand.guide().play(Trajectory({{0.0, Pose()}, {1.0, hand_at_x(0.2)}}));
   rig.run(500);
   EXPECT_TRUE(rig.hand.guide().is_playing());
   EXPECT_NEAR(rig.hand.guide().intended().p.x(), 0.1, 2e-3);
 }
 
 TEST(LiveHand, AllocatesNothing) {
-  Rig rig(Trajectory({{0.0, at_x(0.0)}, {0.05, at_x(0.1)}}));
-  const testing::AllocationCounter allocations;
+  Rig rig(Trajectory({{0.0, hand_at_x(0.0)}, {0.05, hand_at_x(0.1)}}));
+  const test::AllocationCounter allocations;
   rig.run(200, 1.0);
   EXPECT_EQ(allocations.count(), 0u);
 }

@@ -15,7 +15,7 @@
 namespace tegotae {
 namespace {
 
-constexpr double kPeriod = 1e-3;  // s
+constexpr double kObservedPeriod = 1e-3;  // s
 
 double turned(const Pose& a, const Pose& b) { return rotation_vector(a.q * b.q.conjugate()).norm(); }
 
@@ -42,10 +42,10 @@ TEST(ObservedInterface, ASpidarHoldsAToolThatIsTurnedOnItsGrip) {
   InterfaceState state;
   GripTruth truth;
   for (int k = 0; k < 2000; ++k) {
-    ASSERT_EQ(interface->read(k * kPeriod, state), InterfaceStatus::kOk) << k;
+    ASSERT_EQ(interface->read(k * kObservedPeriod, state), InterfaceStatus::kOk) << k;
     ASSERT_EQ(interface->write({wrench, 0.0}), InterfaceStatus::kOk) << k;
     ASSERT_TRUE(interface->take(truth));
-    ASSERT_EQ(truth.time, k * kPeriod);
+    ASSERT_EQ(truth.time, k * kObservedPeriod);
     ASSERT_FALSE(truth.falls_short) << k;
     ASSERT_LT((state.X_WT.p - truth.X_WT.p.vector()).norm(), 20e-6) << k;
     ASSERT_LT(turned(state.X_WT, truth.X_WT), 2e-3) << k;
@@ -81,7 +81,7 @@ TEST(ObservedInterface, ADelayedDeviceDisplaysWhatItWasToldBefore) {
   InterfaceState state;
   GripTruth truth;
   for (int k = 0; k < 3; ++k) {
-    interface->read(k * kPeriod, state);
+    interface->read(k * kObservedPeriod, state);
     interface->write({{{1.0 + k, 0.0, 0.0}, Vector3::Zero()}, 0.0});
     ASSERT_TRUE(interface->take(truth));
     EXPECT_EQ(truth.displayed.force.x, k) << "a millisecond late";
@@ -92,13 +92,13 @@ TEST(ObservedInterface, GivesTheOldestTruthFirstAndKeepsThoseOfSeconds) {
   const auto interface = observed_device(simulated_device("page"), hand(), still({}));
   InterfaceState state;
   for (int k = 0; k < 5000; ++k) {
-    interface->read(k * kPeriod, state);
+    interface->read(k * kObservedPeriod, state);
     interface->write({});
   }
   GripTruth truth;
   for (int k = 0; k < 5000; ++k) {
     ASSERT_TRUE(interface->take(truth));
-    ASSERT_EQ(truth.time, k * kPeriod);
+    ASSERT_EQ(truth.time, k * kObservedPeriod);
   }
   EXPECT_FALSE(interface->take(truth));
 }
@@ -107,9 +107,9 @@ TEST(ObservedInterface, NothingIsAllocatedOnceMade) {
   const auto interface = observed_spidar(x3r_at({}), hand(), still({}));
   InterfaceState state;
   GripTruth truth;
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int k = 0; k < 100; ++k) {
-    interface->read(k * kPeriod, state);
+    interface->read(k * kObservedPeriod, state);
     interface->write({{{0.1 * k, 0.0, 0.0}, Vector3::Zero()}, 0.0});
     interface->take(truth);
   }

@@ -15,7 +15,7 @@
 namespace tegotae {
 namespace {
 
-using testing::DoubleStateFile;
+using test::DoubleStateFile;
 
 // A cube in a Touch, pressed on a floor by the hand that holds it; both loops in real time at 1 kHz, the maker's servo
 // loop at its own rate. y is up, which is the device's x.
@@ -32,7 +32,7 @@ class OpenHapticsLoop {
   // Until `ends`, asked at every tick, or for a minute.
   RealtimeReport run(const std::function<bool()>& ends) {
     const auto interface = openhaptics_driver().open("");
-    testing::FreeBodyWorld world(testing::cube_over_floor(), 1000.0);
+    test::FreeBodyWorld world(test::cube_over_floor(), 1000.0);
     PhysicsLoop physics(world, {0.01, 0.005}, ModelNeeds{});
     const InterfaceCapability capability = interface->capability();
     const SafetyLimits limits = safety_limits(capability, 1000.0, 0.1, 0.01);

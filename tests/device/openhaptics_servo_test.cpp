@@ -15,8 +15,8 @@
 namespace tegotae {
 namespace {
 
-using testing::DoubleStateFile;
-using testing::HdOddity;
+using test::DoubleStateFile;
+using test::HdOddity;
 
 constexpr int kReadingFails = 0x0302;  // an error of the HD API's: the device does not answer
 
@@ -73,7 +73,7 @@ TEST_F(OpenHapticsServoTest, TurnsAreDifferencesOfThePose) {
   for (std::size_t i = 0; i < 3; ++i) state->twist[3 + i] = w_D[static_cast<int>(i)];
   // Within 5 %, where nothing stopped the test between the reading and its time.
   EXPECT_TRUE(
-      testing::comes_true([&] { return (after(servo).V_WT.angular.vector() - Vector3(2.0, 0.5, -1.0)).norm() < 0.1; }));
+      test::comes_true([&] { return (after(servo).V_WT.angular.vector() - Vector3(2.0, 0.5, -1.0)).norm() < 0.1; }));
 }
 
 TEST_F(OpenHapticsServoTest, CommandsNewtonsAndMillinewtonMetresInTheDevicesAxes) {
@@ -248,8 +248,8 @@ TEST_F(OpenHapticsServoTest, CommandsZeroForWhatIsNotFiniteAndInTheEnd) {
 
 TEST_F(OpenHapticsServoTest, NeitherAllocatesNorLocks) {
   call(servo);
-  const testing::AllocationCounter allocations;
-  const testing::LockCounter locks;
+  const test::AllocationCounter allocations;
+  const test::LockCounter locks;
   for (int i = 0; i < 100; ++i) {
     servo.commands().write(push(1.0));
     call(servo);

@@ -22,14 +22,14 @@
 namespace tegotae {
 namespace {
 
+using test::comes_true;
+using test::DoubleStateFile;
+using test::HdOddity;
+using test::HoldingProbe;
+using test::refusal;
+using test::run_probe;
 using ::testing::AllOf;
-using testing::comes_true;
-using testing::DoubleStateFile;
 using ::testing::HasSubstr;
-using testing::HdOddity;
-using testing::HoldingProbe;
-using testing::refusal;
-using testing::run_probe;
 using Calibrate = OpenHapticsDevice::Calibrate;
 
 std::unique_ptr<HapticInterface> open(std::string_view options = "") { return openhaptics_driver().open(options); }
@@ -296,8 +296,8 @@ TEST_F(OpenHapticsTest, BringsToZeroWhatADeadProcessLeft) {
 
 TEST_F(OpenHapticsTest, ReadingAndWritingNeitherAllocateNorLock) {
   const auto interface = open();
-  const testing::AllocationCounter allocations;
-  const testing::LockCounter locks;
+  const test::AllocationCounter allocations;
+  const test::LockCounter locks;
   for (int i = 0; i < 100; ++i) tick(*interface, 1.0);
   state.unplug();
   for (int i = 0; i < 100; ++i) tick(*interface, 1.0);
@@ -342,7 +342,7 @@ TEST_F(OpenHapticsTest, WithoutItsLibraryOrAFunctionOfItSaysSo) {
   EXPECT_THAT(run_probe("", "find openhaptics").text,
               AllOf(HasSubstr("looked for 'libHD.so'\nlooked for 'libHD.so.3.4'\nlooked for 'libHD.so.3.0'\n"),
                     HasSubstr("OpenHaptics (its HD API) was not found"), HasSubstr("3D Systems")));
-  const testing::ProbeResult incomplete = run_probe("openhaptics-incomplete", "open openhaptics");
+  const test::ProbeResult incomplete = run_probe("openhaptics-incomplete", "open openhaptics");
   EXPECT_EQ(incomplete.exit_code, 1);
   EXPECT_THAT(incomplete.text, HasSubstr("libHD.so has no function 'hdUpdateCalibration'"));
   EXPECT_EQ(state->opens, 0U);

@@ -7,18 +7,18 @@
 namespace tegotae {
 namespace {
 
-Pose at(double t) { return {{0.1 * t, 0.0, t * t}, rotation_from_vector({0.0, 2.0 * t, 0.0})}; }
+Pose pose_at(double t) { return {{0.1 * t, 0.0, t * t}, rotation_from_vector({0.0, 2.0 * t, 0.0})}; }
 
 TEST(PoseHistory, KnowsNoVelocityOfOneReading) {
   PoseHistory history;
   EXPECT_EQ(history.velocity(0.01).linear.norm(), 0.0);
-  history.add(0.0, at(0.0));
+  history.add(0.0, pose_at(0.0));
   EXPECT_EQ(history.velocity(0.01).linear.norm(), 0.0);
 }
 
 TEST(PoseHistory, IsTheDifferenceOverTheWindowOrOverOneReading) {
   PoseHistory history;
-  for (int k = 0; k <= 200; ++k) history.add(1e-3 * k, at(1e-3 * k));
+  for (int k = 0; k <= 200; ++k) history.add(1e-3 * k, pose_at(1e-3 * k));
   for (const double window : {0.0, 1e-3, 0.01, 0.063}) {
     const double span = window < 1e-3 ? 1e-3 : window;
     const Twist velocity = history.velocity(window);
@@ -32,18 +32,18 @@ TEST(PoseHistory, IsTheDifferenceOverTheWindowOrOverOneReading) {
 
 TEST(PoseHistory, ForgetsWhenCleared) {
   PoseHistory history;
-  history.add(0.0, at(0.0));
-  history.add(1e-3, at(1e-3));
+  history.add(0.0, pose_at(0.0));
+  history.add(1e-3, pose_at(1e-3));
   history.clear();
   EXPECT_EQ(history.velocity(0.01).linear.norm(), 0.0);
-  history.add(2e-3, at(5.0));
+  history.add(2e-3, pose_at(5.0));
   EXPECT_EQ(history.velocity(0.01).linear.norm(), 0.0);
 }
 
 TEST(PoseHistory, ReadingsAtOneInstantHaveNoVelocity) {
   PoseHistory history;
-  history.add(1.0, at(0.0));
-  history.add(1.0, at(1.0));
+  history.add(1.0, pose_at(0.0));
+  history.add(1.0, pose_at(1.0));
   EXPECT_EQ(history.velocity(0.01).linear.norm(), 0.0);
 }
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// The sentence of the InterfaceError that `action` throws.
 template <class Action>
@@ -18,4 +18,4 @@ std::string refusal(const Action& action) {
   return "nothing was refused";
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -16,7 +16,7 @@
 namespace tegotae {
 namespace {
 
-constexpr double kPeriod = 1e-3;  // s
+constexpr double kSimulatedPeriod = 1e-3;  // s
 
 Trajectory resting(const Pose& X_WT = {}) { return Trajectory({{0.0, X_WT}}); }
 
@@ -33,7 +33,7 @@ std::vector<double> velocities(SimulatedHandInterface& interface, int periods, c
   std::vector<double> result;
   InterfaceState state;
   for (int k = 0; k < periods; ++k) {
-    EXPECT_EQ(interface.read(k * kPeriod, state), InterfaceStatus::kOk);
+    EXPECT_EQ(interface.read(k * kSimulatedPeriod, state), InterfaceStatus::kOk);
     result.push_back(interface.grip().V_WG.linear.x());
     interface.write(push(static_cast<size_t>(k) < forces.size() ? forces[static_cast<size_t>(k)] : 0.0));
   }
@@ -43,7 +43,7 @@ std::vector<double> velocities(SimulatedHandInterface& interface, int periods, c
 TEST(SimulatedHandInterface, HoldsACommandForItsPeriod) {
   SimulatedHandInterface interface(resting(), free_mass(), {});
   const auto v = velocities(interface, 5, {1.0, 3.0, -4.0});
-  const double per_newton = kPeriod / 0.2;
+  const double per_newton = kSimulatedPeriod / 0.2;
   EXPECT_EQ(v[0], 0.0);
   EXPECT_NEAR(v[1], 1.0 * per_newton, 1e-15);
   EXPECT_NEAR(v[2], 4.0 * per_newton, 1e-15);
@@ -53,10 +53,10 @@ TEST(SimulatedHandInterface, HoldsACommandForItsPeriod) {
 
 TEST(SimulatedHandInterface, DelaysACommandByExactlyOneSample) {
   SimulatedDevice device = free_mass();
-  device.delay = kPeriod;
+  device.delay = kSimulatedPeriod;
   SimulatedHandInterface interface(resting(), device, {});
   const auto v = velocities(interface, 6, {1.0, 3.0, -4.0});
-  const double per_newton = kPeriod / 0.2;
+  const double per_newton = kSimulatedPeriod / 0.2;
   EXPECT_EQ(v[1], 0.0);
   EXPECT_NEAR(v[2], 1.0 * per_newton, 1e-15);
   EXPECT_NEAR(v[3], 4.0 * per_newton, 1e-15);
@@ -66,11 +66,11 @@ TEST(SimulatedHandInterface, DelaysACommandByExactlyOneSample) {
 TEST(SimulatedHandInterface, TheDelayStaysOneSampleForAMinute) {
   // Times that are sums of periods round differently at each tick.
   SimulatedDevice device = free_mass();
-  device.delay = kPeriod;
+  device.delay = kSimulatedPeriod;
   SimulatedHandInterface interface(resting(), device, {});
   InterfaceState state;
   for (int k = 0; k < 60000; ++k) {
-    interface.read(k * kPeriod, state);
+    interface.read(k * kSimulatedPeriod, state);
     if (k > 1) {
       ASSERT_EQ(interface.displayed().force.x(), (k - 1) % 7 - 3.0) << k;
     }
@@ -81,11 +81,11 @@ TEST(SimulatedHandInterface, TheDelayStaysOneSampleForAMinute) {
 
 TEST(SimulatedHandInterface, DelaysByAFractionOfAPeriod) {
   SimulatedDevice device = free_mass();
-  device.delay = 0.3 * kPeriod;
+  device.delay = 0.3 * kSimulatedPeriod;
   SimulatedHandInterface interface(resting(), device, {});
   const auto v = velocities(interface, 4, {1.0});
-  EXPECT_NEAR(v[1], 0.7 * kPeriod / 0.2, 1e-14);
-  EXPECT_NEAR(v[2], 1.0 * kPeriod / 0.2, 1e-14);
+  EXPECT_NEAR(v[1], 0.7 * kSimulatedPeriod / 0.2, 1e-14);
+  EXPECT_NEAR(v[2], 1.0 * kSimulatedPeriod / 0.2, 1e-14);
 }
 
 TEST(SimulatedHandInterface, ClipsToWhatTheMotorsGive) {
@@ -132,11 +132,11 @@ TEST(SimulatedHandInterface, VelocityIsTheDifferenceOfReadingsOverItsWindow) {
     const double acceleration = 1.0 / 0.2;
     InterfaceState state;
     for (int k = 0; k <= 50; ++k) {
-      interface.read(k * kPeriod, state);
+      interface.read(k * kSimulatedPeriod, state);
       interface.write(push(1.0));
     }
     // Under constant acceleration the difference is the velocity half a window ago.
-    const double lag = 0.5 * std::max(window, kPeriod);
+    const double lag = 0.5 * std::max(window, kSimulatedPeriod);
     EXPECT_NEAR(state.V_WT.linear.x(), acceleration * (0.05 - lag), 1e-11) << window;
   }
 }
@@ -150,7 +150,7 @@ TEST(SimulatedHandInterface, VelocityCarriesTheEncodersStep) {
   InterfaceState state;
   std::set<long> steps;
   for (int k = 0; k < 200; ++k) {
-    interface.read(k * kPeriod, state);
+    interface.read(k * kSimulatedPeriod, state);
     if (k < 20) continue;
     const double in_steps = state.V_WT.linear.x() / (1e-5 / 0.01);
     EXPECT_NEAR(in_steps, std::round(in_steps), 1e-6);
@@ -163,7 +163,7 @@ TEST(SimulatedHandInterface, AFirmHandTakesTheGripAlongItsTrajectory) {
   const Trajectory intended({{5.0, {}}, {6.0, {{0.1, 0.0, 0.0}, rotation_from_vector({0.0, 0.0, 0.5})}}});
   SimulatedHandInterface interface(intended, simulated_device("laboratory"), simulated_hand("firm"));
   InterfaceState state;
-  for (int k = 0; k <= 3000; ++k) interface.read(k * kPeriod, state);
+  for (int k = 0; k <= 3000; ++k) interface.read(k * kSimulatedPeriod, state);
   EXPECT_NEAR(state.X_WT.p.x(), 0.1, 1e-6);
   EXPECT_NEAR(rotation_vector(state.X_WT.q).z(), 0.5, 1e-6);
 }
@@ -191,9 +191,9 @@ TEST(SimulatedHandInterface, AllocatesNothingOnceMade) {
   SimulatedDevice device = simulated_device("stylus");
   SimulatedHandInterface interface(resting(), device, simulated_hand("moderate"));
   InterfaceState state;
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int k = 0; k < 100; ++k) {
-    interface.read(k * kPeriod, state);
+    interface.read(k * kSimulatedPeriod, state);
     interface.write(push(0.5));
   }
   EXPECT_EQ(counter.count(), 0U);
@@ -217,7 +217,7 @@ TEST(SimulatedPresets, CanAllBeMadeAndHeldAndNameTheirSources) {
     for (const auto& hand : simulated_hands()) {
       SimulatedHandInterface interface(resting(), device.value, hand.value);
       InterfaceState state;
-      EXPECT_EQ(interface.read(kPeriod, state), InterfaceStatus::kOk);
+      EXPECT_EQ(interface.read(kSimulatedPeriod, state), InterfaceStatus::kOk);
       EXPECT_EQ(state.X_WT.p.norm(), 0.0);
     }
   }

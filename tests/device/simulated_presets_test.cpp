@@ -10,7 +10,7 @@
 namespace tegotae {
 namespace {
 
-constexpr double kPeriod = 1e-3;  // s
+constexpr double kPresetPeriod = 1e-3;  // s
 
 // Greatest speeds, m/s and rad/s, in the second after the next, of the page's interface in a moderate hand that was
 // pushed for a moment, with a damper of so much as a page's tick would display.
@@ -20,7 +20,7 @@ Twist speed_after_a_push(double damping, double rotational_damping) {
   Twist greatest;
   for (int i = 0; i < 2000; ++i) {
     InterfaceState state;
-    EXPECT_EQ(interface.read(kPeriod * i, state), InterfaceStatus::kOk);
+    EXPECT_EQ(interface.read(kPresetPeriod * i, state), InterfaceStatus::kOk);
     Wrench wrench{-damping * state.V_WT.linear, -rotational_damping * state.V_WT.angular};
     if (i < 20) wrench = {{1.0, 0.0, 0.0}, {0.0, 0.0, 0.01}};
     EXPECT_EQ(interface.write({wrench, 0.0}), InterfaceStatus::kOk);

@@ -12,12 +12,12 @@
 namespace tegotae {
 namespace {
 
-using testing::counts_at;
-using testing::kPeriod;
-using testing::simulated_settings;
-using testing::spidar_settings;
-using testing::still;
-using testing::turned;
+using test::counts_at;
+using test::held_still;
+using test::kSpidarPeriod;
+using test::simulated_settings;
+using test::spidar_settings;
+using test::turn_between;
 
 /// Driver, simulated device and hand.
 struct Simulated {
@@ -38,9 +38,9 @@ TEST(SimulatedSpidar, AHandTakesTheGripAndTheDriverFollows) {
   InterfaceState state;
   double fastest = 0.0;
   for (int k = 0; k <= 2000; ++k) {
-    ASSERT_EQ(spidar.interface->read(k * kPeriod, state), InterfaceStatus::kOk) << k;
+    ASSERT_EQ(spidar.interface->read(k * kSpidarPeriod, state), InterfaceStatus::kOk) << k;
     ASSERT_LT((state.X_WT.p - spidar.device_->grip().X_WG.p).norm(), 20e-6) << k;
-    ASSERT_LT(turned(state.X_WT, spidar.device_->grip().X_WG), 2e-3) << k;
+    ASSERT_LT(turn_between(state.X_WT, spidar.device_->grip().X_WG), 2e-3) << k;
     fastest = std::max(fastest, state.V_WT.linear.norm());
     ASSERT_EQ(spidar.interface->write({}), InterfaceStatus::kOk);
   }
@@ -51,11 +51,11 @@ TEST(SimulatedSpidar, AHandTakesTheGripAndTheDriverFollows) {
 
 TEST(SimulatedSpidar, FeelsTheWrenchThatWasCommanded) {
   SpidarSettings settings = spidar_settings("x4r");
-  Simulated spidar(settings, simulated_settings(settings), still(settings.X_WS));
+  Simulated spidar(settings, simulated_settings(settings), held_still(settings.X_WS));
   const Wrench wrench{{2.0, -1.0, 1.5}, {0.05, 0.0, -0.05}};
   InterfaceState state;
   for (int k = 0; k <= 2000; ++k) {
-    spidar.interface->read(k * kPeriod, state);
+    spidar.interface->read(k * kSpidarPeriod, state);
     spidar.interface->write({wrench, 0.0});
   }
   // At rest the hand's spring carries it. The driver knows the pose to 20 um of 0.1 m, so the wrench to a part in 5000.
@@ -73,10 +73,10 @@ TEST(SimulatedSpidar, StringsThatGiveMisleadADriverThatDoesNotKnow) {
     SimulatedSpidarSettings device = simulated_settings(settings);
     device.geometry.axial_stiffness = 5000.0;
     if (knows) settings.geometry.axial_stiffness = 5000.0;
-    Simulated spidar(settings, device, still());
+    Simulated spidar(settings, device, held_still());
     InterfaceState state;
     for (int k = 0; k <= 2000; ++k) {
-      spidar.interface->read(k * kPeriod, state);
+      spidar.interface->read(k * kSpidarPeriod, state);
       spidar.interface->write({{{8.0, 0.0, 0.0}, Vector3::Zero()}, 0.0});
     }
     const double error = (state.X_WT.p - spidar.device_->grip().X_WG.p).norm();
@@ -91,7 +91,7 @@ TEST(SimulatedSpidar, StringsThatGiveMisleadADriverThatDoesNotKnow) {
 
 TEST(SimulatedSpidar, MotorsClipAndRefuseWhatIsNoNumber) {
   SpidarSettings settings = spidar_settings();
-  SimulatedSpidar spidar(simulated_settings(settings), std::make_unique<IntendedTrajectory>(still()));
+  SimulatedSpidar spidar(simulated_settings(settings), std::make_unique<IntendedTrajectory>(held_still()));
   SpidarVector tensions = SpidarVector::Constant(1.0);
   tensions[0] = 50.0;
   tensions[1] = -3.0;
@@ -106,7 +106,7 @@ TEST(SimulatedSpidar, MotorsClipAndRefuseWhatIsNoNumber) {
 TEST(SimulatedSpidar, CountsAreWholeAndZeroAtTheCentreWhereverTheMotionBegins) {
   SpidarSettings settings = spidar_settings();
   const Pose start{{0.01, 0.0, 0.0}, Quaternion::Identity()};
-  SimulatedSpidar spidar(simulated_settings(settings), std::make_unique<IntendedTrajectory>(still(start)));
+  SimulatedSpidar spidar(simulated_settings(settings), std::make_unique<IntendedTrajectory>(held_still(start)));
   SpidarVector counts;
   ASSERT_TRUE(spidar.read(0.0, counts));
   EXPECT_EQ(counts, counts_at(settings.geometry, start));
@@ -117,27 +117,27 @@ TEST(SimulatedSpidar, CountsAreWholeAndZeroAtTheCentreWhereverTheMotionBegins) {
 
 TEST(SimulatedSpidar, AClockThatFailsAndAPulledPlugFail) {
   SpidarSettings settings = spidar_settings();
-  Simulated spidar(settings, simulated_settings(settings), still());
+  Simulated spidar(settings, simulated_settings(settings), held_still());
   InterfaceState state;
   EXPECT_EQ(spidar.interface->read(std::numeric_limits<double>::quiet_NaN(), state), InterfaceStatus::kLost);
   EXPECT_EQ(spidar.interface->read(1e6, state), InterfaceStatus::kLost);
-  EXPECT_EQ(spidar.interface->read(kPeriod, state), InterfaceStatus::kOk);
+  EXPECT_EQ(spidar.interface->read(kSpidarPeriod, state), InterfaceStatus::kOk);
   spidar.interface->write({{{5.0, 0.0, 0.0}, Vector3::Zero()}, 0.0});
   spidar.device_->set_connected(false);
   EXPECT_EQ(spidar.device_->displayed().force.norm(), 0.0);
-  EXPECT_EQ(spidar.interface->read(2 * kPeriod, state), InterfaceStatus::kLost);
+  EXPECT_EQ(spidar.interface->read(2 * kSpidarPeriod, state), InterfaceStatus::kLost);
   EXPECT_EQ(spidar.interface->calibrate(), InterfaceStatus::kLost);
   spidar.device_->set_connected(true);
-  EXPECT_EQ(spidar.interface->read(3 * kPeriod, state), InterfaceStatus::kOk);
+  EXPECT_EQ(spidar.interface->read(3 * kSpidarPeriod, state), InterfaceStatus::kOk);
 }
 
 TEST(SimulatedSpidar, NothingIsAllocatedOnceMade) {
   SpidarSettings settings = spidar_settings();
-  Simulated spidar(settings, simulated_settings(settings), still());
+  Simulated spidar(settings, simulated_settings(settings), held_still());
   InterfaceState state;
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int k = 0; k < 100; ++k) {
-    spidar.interface->read(k * kPeriod, state);
+    spidar.interface->read(k * kSpidarPeriod, state);
     spidar.interface->write({{{0.5 * k, 0.0, 0.0}, Vector3::Zero()}, 0.0});
   }
   spidar.device_->set_connected(false);

@@ -10,13 +10,13 @@ namespace tegotae {
 namespace {
 
 constexpr int kFull = SpacenavDeflection::kFull;
-constexpr double kPeriod = 1e-3;  // s
+constexpr double kMousePeriod = 1e-3;  // s
 
 // From `begin` (s) for `duration` (s), at 1 kHz.
 double hold(SpacenavMotion& motion, const SpacenavDeflection& deflection, double duration, double begin = 0.0) {
-  const long ticks = std::lround(duration / kPeriod);
-  for (long i = 0; i <= ticks; ++i) motion.advance(begin + kPeriod * static_cast<double>(i), deflection);
-  return begin + kPeriod * static_cast<double>(ticks);
+  const long ticks = std::lround(duration / kMousePeriod);
+  for (long i = 0; i <= ticks; ++i) motion.advance(begin + kMousePeriod * static_cast<double>(i), deflection);
+  return begin + kMousePeriod * static_cast<double>(ticks);
 }
 
 SpacenavSettings offset_mode() {
@@ -83,10 +83,10 @@ TEST(SpacenavMotion, TheVelocityIsThatOfThePose) {
     double fastest = 0.0;
     for (int tick = 0; tick < 300; ++tick) {
       const int counts = tick < 150 ? kFull : -kFull / 2;
-      motion.advance(kPeriod * tick, {{counts, 0, counts / 3}, {counts, counts / 2, 0}});
+      motion.advance(kMousePeriod * tick, {{counts, 0, counts / 3}, {counts, counts / 2, 0}});
       const Vector6 way = displacement(before, motion.X_WT(), Vector3::Zero());
-      ASSERT_LT((way.head<3>() / kPeriod - motion.V_WT().linear).norm(), 1e-9);
-      ASSERT_LT((way.tail<3>() / kPeriod - motion.V_WT().angular).norm(), 1e-6);
+      ASSERT_LT((way.head<3>() / kMousePeriod - motion.V_WT().linear).norm(), 1e-9);
+      ASSERT_LT((way.tail<3>() / kMousePeriod - motion.V_WT().angular).norm(), 1e-6);
       before = motion.X_WT();
       fastest = std::max(fastest, motion.V_WT().linear.norm());
     }

@@ -17,15 +17,15 @@
 namespace tegotae {
 namespace {
 
+using test::comes_true;
+using test::DoubleStateFile;
+using test::refusal;
 using ::testing::AllOf;
-using testing::comes_true;
-using testing::DoubleStateFile;
 using ::testing::HasSubstr;
-using testing::refusal;
 
-std::unique_ptr<HapticInterface> open(std::string_view options = "") { return spacenav_driver().open(options); }
-std::string refused(std::string_view options = "") {
-  return refusal([options] { static_cast<void>(open(options)); });
+std::unique_ptr<HapticInterface> open_mouse(std::string_view options = "") { return spacenav_driver().open(options); }
+std::string refused_mouse(std::string_view options = "") {
+  return refusal([options] { static_cast<void>(open_mouse(options)); });
 }
 
 class SpacenavTest : public ::testing::Test {
@@ -60,11 +60,11 @@ TEST_F(SpacenavTest, IsFoundWhereItsDaemonAnswers) {
   found = spacenav_driver().find();
   EXPECT_TRUE(found.devices.empty());
   EXPECT_THAT(found.trouble, AllOf(HasSubstr("spacenavd does not answer"), HasSubstr("systemctl start spacenavd")));
-  EXPECT_EQ(refused(), found.trouble);
+  EXPECT_EQ(refused_mouse(), found.trouble);
 }
 
 TEST_F(SpacenavTest, DisplaysNothing) {
-  const auto interface = open();
+  const auto interface = open_mouse();
   const InterfaceCapability capability = interface->capability();
   EXPECT_EQ(capability.input_degrees_of_freedom, 6);
   EXPECT_EQ(capability.output_degrees_of_freedom, 0);
@@ -75,7 +75,7 @@ TEST_F(SpacenavTest, DisplaysNothing) {
 }
 
 TEST_F(SpacenavTest, MovesWithTheMouseAndStops) {
-  const auto interface = open("speed=0.2");
+  const auto interface = open_mouse("speed=0.2");
   state->deflection[2] = 350;  // away
   EXPECT_TRUE(reads_until(*interface, [](const InterfaceState& read) { return read.X_WT.p.y() > 0.05; }));
   EXPECT_TRUE(reads_until(*interface, [](const InterfaceState& read) {
@@ -86,7 +86,7 @@ TEST_F(SpacenavTest, MovesWithTheMouseAndStops) {
 }
 
 TEST_F(SpacenavTest, FollowsAnOffsetAndTurns) {
-  const auto interface = open("mode=offset,reach=0.1,tilt=0.5,dead-zone=0");
+  const auto interface = open_mouse("mode=offset,reach=0.1,tilt=0.5,dead-zone=0");
   state->deflection[0] = -175;
   state->deflection[4] = 350;
   EXPECT_TRUE(reads_until(*interface, [](const InterfaceState& read) {
@@ -96,7 +96,7 @@ TEST_F(SpacenavTest, FollowsAnOffsetAndTurns) {
 }
 
 TEST_F(SpacenavTest, TellsItsButtons) {
-  const auto interface = open();
+  const auto interface = open_mouse();
   state->buttons = 5;
   EXPECT_TRUE(reads_until(*interface, [](const InterfaceState& read) { return read.buttons == 5U; }));
   state->buttons = 4;
@@ -104,7 +104,7 @@ TEST_F(SpacenavTest, TellsItsButtons) {
 }
 
 TEST_F(SpacenavTest, GoesOnWhereItWasWhenTheDaemonIsBack) {
-  const auto interface = open();
+  const auto interface = open_mouse();
   state->deflection[0] = 350;
   double reached = 0.0;
   ASSERT_TRUE(reads_until(*interface, [&](const InterfaceState& read) { return (reached = read.X_WT.p.x()) > 0.05; }));
@@ -121,29 +121,29 @@ TEST_F(SpacenavTest, GoesOnWhereItWasWhenTheDaemonIsBack) {
 }
 
 TEST_F(SpacenavTest, RefusesOptionsThatAreNone) {
-  EXPECT_THAT(refused("left"), HasSubstr("spacenav: 'left' is no option"));
-  EXPECT_THAT(refused("mode=fast"), HasSubstr("spacenav"));
-  EXPECT_THAT(refused("speed=0"), HasSubstr("spacenav"));
-  EXPECT_THAT(refused("dead-zone=1"), HasSubstr("spacenav"));
-  EXPECT_THAT(refused("axes=xzy"), HasSubstr("right-handed"));
-  EXPECT_THAT(refused("colour=red"), HasSubstr("colour"));
+  EXPECT_THAT(refused_mouse("left"), HasSubstr("spacenav: 'left' is no option"));
+  EXPECT_THAT(refused_mouse("mode=fast"), HasSubstr("spacenav"));
+  EXPECT_THAT(refused_mouse("speed=0"), HasSubstr("spacenav"));
+  EXPECT_THAT(refused_mouse("dead-zone=1"), HasSubstr("spacenav"));
+  EXPECT_THAT(refused_mouse("axes=xzy"), HasSubstr("right-handed"));
+  EXPECT_THAT(refused_mouse("colour=red"), HasSubstr("colour"));
   EXPECT_EQ(state->opens, 0U);
-  const auto interface = open();
-  EXPECT_THAT(refused(), HasSubstr("listens to the daemon already"));
+  const auto interface = open_mouse();
+  EXPECT_THAT(refused_mouse(), HasSubstr("listens to the daemon already"));
 }
 
 TEST_F(SpacenavTest, WithoutItsLibrarySaysWhatToInstall) {
-  const std::string text = testing::run_probe("", "find spacenav").text;
+  const std::string text = test::run_probe("", "find spacenav").text;
   if (text.find("library ''") == std::string::npos) GTEST_SKIP() << "libspnav is installed here";
   EXPECT_THAT(text, AllOf(HasSubstr("looked for 'libspnav.so.0'"), HasSubstr("sudo apt install libspnav0 spacenavd")));
 }
 
 TEST_F(SpacenavTest, ReadingNeitherAllocatesNorLocks) {
-  const auto interface = open();
+  const auto interface = open_mouse();
   state->deflection[0] = 350;
   ASSERT_TRUE(reads_until(*interface, [](const InterfaceState& read) { return read.X_WT.p.x() > 0.01; }));
-  const testing::AllocationCounter allocations;
-  const testing::LockCounter locks;
+  const test::AllocationCounter allocations;
+  const test::LockCounter locks;
   InterfaceState read;
   for (int i = 0; i < 100; ++i) {
     interface->read(1e-3 * i, read);

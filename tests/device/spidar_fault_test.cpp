@@ -23,7 +23,7 @@
 namespace tegotae {
 namespace {
 
-using testing::kPeriod;
+using test::kSpidarPeriod;
 
 constexpr double kStiffness = 1000.0;   // N/m
 constexpr double kMetricLength = 0.08;  // m
@@ -97,7 +97,7 @@ class SpidarFault : public ::testing::Test {
  protected:
   SpidarFault() {
     settings.X_WS = frame();
-    auto owned = std::make_unique<FaultyBoard>(testing::simulated_spidar(settings, pressing()));
+    auto owned = std::make_unique<FaultyBoard>(test::simulated_spidar(settings, pressing()));
     board = owned.get();
     interface = std::make_unique<SpidarInterface>(settings, std::move(owned));
     limits = safety_limits(interface->capability(), kStiffness, kMetricLength, 0.01);
@@ -105,7 +105,7 @@ class SpidarFault : public ::testing::Test {
     method.stiffness = kStiffness;
     method.metric_length = kMetricLength;
     haptics = std::make_unique<HapticTick>(make_method("paper", method, world.geometry()), world.geometry().tool,
-                                           limits, kPeriod);
+                                           limits, kSpidarPeriod);
   }
 
   bool is_slack() const {
@@ -127,7 +127,7 @@ class SpidarFault : public ::testing::Test {
     };
     Felt felt;
     Wrench before;
-    run_simulated(physics, *haptics, *interface, kPeriod, kDuration, [&](const TickRecord& record) {
+    run_simulated(physics, *haptics, *interface, kSpidarPeriod, kDuration, [&](const TickRecord& record) {
       const Wrench commanded = record.displayed, displayed = board->spidar().displayed();
       felt.commanded_force = std::max(felt.commanded_force, commanded.force.norm());
       felt.force_growth = std::max(felt.force_growth, commanded.force.norm() - before.force.norm());
@@ -150,16 +150,16 @@ class SpidarFault : public ::testing::Test {
     EXPECT_LE(felt.force, limits.max_force + 0.1);
     EXPECT_LE(felt.torque, limits.max_torque + 0.01);
     EXPECT_LE(felt.commanded_force, limits.max_force * (1.0 + 1e-12));
-    EXPECT_LE(felt.force_growth, limits.force_rate * kPeriod * (1.0 + 1e-9));
-    EXPECT_LE(felt.torque_growth, limits.torque_rate * kPeriod * (1.0 + 1e-9));
+    EXPECT_LE(felt.force_growth, limits.force_rate * kSpidarPeriod * (1.0 + 1e-9));
+    EXPECT_LE(felt.torque_growth, limits.torque_rate * kSpidarPeriod * (1.0 + 1e-9));
     EXPECT_GT(felt.force_before, 2.0) << "the hand pressed before the fault";
     return felt;
   }
 
-  SpidarSettings settings = testing::spidar_settings();
+  SpidarSettings settings = test::spidar_settings();
   FaultyBoard* board = nullptr;
   std::unique_ptr<SpidarInterface> interface;
-  testing::FreeBodyWorld world{testing::cube_over_floor()};
+  test::FreeBodyWorld world{test::cube_over_floor()};
   PhysicsLoop physics{world, {0.01, 0.005}, ModelNeeds{}};
   SafetyLimits limits;
   std::unique_ptr<HapticTick> haptics;
@@ -221,7 +221,7 @@ TEST_F(SpidarFault, UnpluggedAndBackInRealTimeByAnotherThread) {
   };
   const std::atomic<bool> never{false};
   constexpr double kLongest = 60.0;  // s, for a machine as slow as may be
-  run_realtime(physics, *haptics, *interface, kPeriod, kLongest, never, [&](const TickRecord& record) {
+  run_realtime(physics, *haptics, *interface, kSpidarPeriod, kLongest, never, [&](const TickRecord& record) {
     if (phase == kPressing && Wrench(record.displayed).force.norm() > 0.5) {
       board->is_unplugged = true;
       phase = kUnplugged;

@@ -12,10 +12,10 @@
 namespace tegotae {
 namespace {
 
-using testing::counts_at;
-using testing::kPeriod;
-using testing::spidar_settings;
-using testing::turned;
+using test::counts_at;
+using test::kSpidarPeriod;
+using test::spidar_settings;
+using test::turn_between;
 
 /// A board whose counts a test sets.
 class StubTransport final : public SpidarTransport {
@@ -61,10 +61,10 @@ TEST(SpidarInterface, CalibratesAndReportsThePoseInTheWorld) {
   EXPECT_LT((state.X_WT.p - settings.X_WS.p).norm(), 1e-12);
   const Pose X_SG{{0.01, -0.005, 0.008}, rotation_from_vector({0.1, 0.2, -0.3})};
   spidar.board->counts = counts_at(settings.geometry, X_SG);
-  ASSERT_EQ(spidar.interface->read(kPeriod, state), InterfaceStatus::kOk);
+  ASSERT_EQ(spidar.interface->read(kSpidarPeriod, state), InterfaceStatus::kOk);
   EXPECT_LT((state.X_WT.p - (settings.X_WS * X_SG).p).norm(), 20e-6);
-  EXPECT_LT(turned(state.X_WT, settings.X_WS * X_SG), 2e-3);
-  EXPECT_EQ(state.time, kPeriod);
+  EXPECT_LT(turn_between(state.X_WT, settings.X_WS * X_SG), 2e-3);
+  EXPECT_EQ(state.time, kSpidarPeriod);
   EXPECT_LT(spidar.interface->pose().misfit, 20e-6);
 }
 
@@ -130,13 +130,13 @@ TEST(SpidarInterface, LostTransportIsReportedAndRecoversWithLeastTensionsAtFirst
   spidar.interface->write({{{5.0, 0.0, 0.0}, Vector3::Zero()}, 0.0});
   EXPECT_GT(spidar.board->written.maxCoeff(), 3.0);
   spidar.board->answers = false;
-  EXPECT_EQ(spidar.interface->read(kPeriod, state), InterfaceStatus::kLost);
+  EXPECT_EQ(spidar.interface->read(kSpidarPeriod, state), InterfaceStatus::kLost);
   EXPECT_EQ(spidar.interface->write({{{5.0, 0.0, 0.0}, Vector3::Zero()}, 0.0}), InterfaceStatus::kLost);
   spidar.board->answers = true;
   // Back, but no pose was read yet.
   EXPECT_EQ(spidar.interface->write({{{5.0, 0.0, 0.0}, Vector3::Zero()}, 0.0}), InterfaceStatus::kLost);
   EXPECT_EQ(spidar.board->written, min_tensions(settings.geometry));
-  EXPECT_EQ(spidar.interface->read(2 * kPeriod, state), InterfaceStatus::kOk);
+  EXPECT_EQ(spidar.interface->read(2 * kSpidarPeriod, state), InterfaceStatus::kOk);
   EXPECT_EQ(state.V_WT.linear.norm(), 0.0);
   EXPECT_EQ(spidar.interface->write({{{5.0, 0.0, 0.0}, Vector3::Zero()}, 0.0}), InterfaceStatus::kOk);
 }
@@ -161,7 +161,7 @@ TEST(SpidarInterface, CountsThatAreNoNumbersOrFitNoPoseAreLostUntilTheyFitAgain)
     spidar.interface->write({{{5.0, 0.0, 0.0}, Vector3::Zero()}, 0.0});
     const Pose before = state.X_WT;
     spidar.board->counts[6] = bad;
-    EXPECT_EQ(spidar.interface->read(kPeriod, state), InterfaceStatus::kLost) << bad;
+    EXPECT_EQ(spidar.interface->read(kSpidarPeriod, state), InterfaceStatus::kLost) << bad;
     EXPECT_EQ(spidar.board->written, min_tensions(settings.geometry)) << bad;
     EXPECT_EQ(state.X_WT.p, before.p);
   }
@@ -177,11 +177,11 @@ TEST(SpidarInterface, ACounterThatLeapedIsNotBelievedWhateverItFits) {
   for (int i = 0; i < kSpidarStrings; ++i) {
     for (const double way : {7e-3, 10e-3, 20e-3, 33e-3, -7e-3, -20e-3}) {
       spidar.board->counts = good;
-      ASSERT_EQ(spidar.interface->read(time += kPeriod, state), InterfaceStatus::kOk) << i << " " << way;
+      ASSERT_EQ(spidar.interface->read(time += kSpidarPeriod, state), InterfaceStatus::kOk) << i << " " << way;
       const auto string = static_cast<std::size_t>(i);
       spidar.board->counts[i] += std::round(way / std::abs(settings.geometry.strings[string].metres_per_pulse));
       for (int k = 0; k < 50; ++k) {
-        ASSERT_EQ(spidar.interface->read(time += kPeriod, state), InterfaceStatus::kLost) << i << " " << way;
+        ASSERT_EQ(spidar.interface->read(time += kSpidarPeriod, state), InterfaceStatus::kLost) << i << " " << way;
       }
     }
   }
@@ -194,7 +194,7 @@ TEST(SpidarInterface, AGripThatReallyLeapedIsBelieved) {
   ASSERT_EQ(spidar.interface->read(0.0, state), InterfaceStatus::kOk);
   const Pose far{{0.015, -0.01, 0.01}, rotation_from_vector({0.0, 0.2, -0.1})};
   spidar.board->counts = counts_at(settings.geometry, far);
-  ASSERT_EQ(spidar.interface->read(kPeriod, state), InterfaceStatus::kOk);
+  ASSERT_EQ(spidar.interface->read(kSpidarPeriod, state), InterfaceStatus::kOk);
   EXPECT_LT((state.X_WT.p - far.p).norm(), 20e-6);
 }
 

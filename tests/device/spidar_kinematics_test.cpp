@@ -18,7 +18,7 @@
 namespace tegotae {
 namespace {
 
-using testing::SpidarPoses;
+using test::SpidarPoses;
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kWay = 0.02, kTurn = 30.0 * kDegree;
@@ -34,7 +34,7 @@ SpidarVector quantised(const SpidarGeometry& geometry, const SpidarVector& lengt
   return result;
 }
 
-double turned(const Pose& a, const Pose& b) { return rotation_vector(a.q * b.q.conjugate()).norm(); }
+double turn_left(const Pose& a, const Pose& b) { return rotation_vector(a.q * b.q.conjugate()).norm(); }
 
 TEST(SpidarKinematics, JacobianIsTheNegativeTransposeOfTheWrenchMatrix) {
   constexpr double kStep = 1e-6;  // m, rad: central differences are then right to 1e-9
@@ -59,12 +59,12 @@ TEST(SpidarKinematics, ExactLengthsGiveThePoseFromTheCentre) {
   SpidarPoses random(2);
   int most_steps = 0;
   for (const SpidarPreset& preset : spidar_presets()) {
-    for (int k = 0; k < testing::sweep_size(3000); ++k) {
+    for (int k = 0; k < test::sweep_size(3000); ++k) {
       const Pose X_SG = random.pose(kWay, kTurn);
       const SpidarPose found = spidar_pose(preset.geometry, spidar_strings(preset.geometry, X_SG).lengths, {});
       ASSERT_EQ(found.fit, SpidarFit::kConverged) << preset.name << k;
       ASSERT_LT((found.X_SG.p - X_SG.p).norm(), 1e-12);
-      ASSERT_LT(turned(found.X_SG, X_SG), 1e-10);
+      ASSERT_LT(turn_left(found.X_SG, X_SG), 1e-10);
       ASSERT_LT(found.misfit, 1e-14);
       most_steps = std::max(most_steps, found.steps);
     }
@@ -76,7 +76,7 @@ TEST(SpidarKinematics, ExactLengthsGiveThePoseFromTheCentre) {
 TEST(SpidarKinematics, QuantisedPosesAreAsGoodAsRoundingAllows) {
   for (const SpidarPreset& preset : spidar_presets()) {
     SpidarPoses random(3);
-    const int poses = testing::sweep_size(30000);
+    const int poses = test::sweep_size(30000);
     double p_error = 0.0, p_bound = 0.0, p_worst = 0.0, r_error = 0.0, r_bound = 0.0, r_worst = 0.0;
     for (int k = 0; k < poses; ++k) {
       const Pose X_SG = random.pose(kWay, kTurn);
@@ -84,7 +84,7 @@ TEST(SpidarKinematics, QuantisedPosesAreAsGoodAsRoundingAllows) {
       const SpidarPose found = spidar_pose(preset.geometry, lengths, {});
       ASSERT_EQ(found.fit, SpidarFit::kConverged) << preset.name << k;
       const Matrix6 covariance = spidar_quantisation(preset.geometry, X_SG);
-      const double p = (found.X_SG.p - X_SG.p).norm(), r = turned(found.X_SG, X_SG);
+      const double p = (found.X_SG.p - X_SG.p).norm(), r = turn_left(found.X_SG, X_SG);
       p_error += p * p;
       r_error += r * r;
       p_bound += covariance.topLeftCorner<3, 3>().trace();
@@ -121,7 +121,7 @@ TEST(SpidarKinematics, FollowsTheGripThroughWholeTurns) {
       if (found.fit != SpidarFit::kConverged) continue;
       ++answered;
       EXPECT_LT((found.X_SG.p - X_SG.p).norm(), 1e-9) << axis.transpose() << " at " << degree;
-      EXPECT_LT(turned(found.X_SG, X_SG), 1e-7) << axis.transpose() << " at " << degree;
+      EXPECT_LT(turn_left(found.X_SG, X_SG), 1e-7) << axis.transpose() << " at " << degree;
     }
     EXPECT_GE(answered, 355) << axis.transpose();
   }
@@ -159,7 +159,7 @@ TEST(SpidarKinematics, SaysWhereTheStringsLoseAMotion) {
 
 TEST(SpidarKinematics, EndsWhateverTheLengthsSay) {
   SpidarPoses random(4);
-  for (int k = 0; k < testing::sweep_size(2000); ++k) {
+  for (int k = 0; k < test::sweep_size(2000); ++k) {
     SpidarVector lengths;
     for (int i = 0; i < kSpidarStrings; ++i) lengths[i] = random.direction().x() * 10.0;
     const SpidarPose found = spidar_pose(spidar_preset("x4r").geometry, lengths, random.pose(1.0, 3.0));
@@ -171,7 +171,7 @@ TEST(SpidarKinematics, EndsWhateverTheLengthsSay) {
 TEST(SpidarKinematics, AllocatesNothing) {
   const SpidarGeometry& geometry = spidar_preset("x3r").geometry;
   const SpidarVector lengths = spidar_strings(geometry, {{1e-3, 0.0, 0.0}, Quaternion::Identity()}).lengths;
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   EXPECT_EQ(spidar_pose(geometry, lengths, {}).fit, SpidarFit::kConverged);
   EXPECT_GT(spidar_quantisation(geometry, {})(0, 0), 0.0);
   EXPECT_EQ(counter.count(), 0U);

@@ -63,10 +63,10 @@ struct Case {
 };
 
 TEST(SpidarNearest, LeavesNoMoreStrayWrenchThanAnotherSolver) {
-  testing::SpidarPoses random(41);
+  test::SpidarPoses random(41);
   int cases = 0, most_steps = 0;
   double most = 0.0;
-  for (int k = 0; k < testing::sweep_size(6000); ++k) {
+  for (int k = 0; k < test::sweep_size(6000); ++k) {
     const Case problem(spidar_preset(k % 2 == 0 ? "x3r" : "x4r").geometry, random.pose(0.025, 0.7));
     const Wrench wrench = k % 5 == 0 ? Wrench{} : random.wrench(10.0, 0.2);
     if (spidar_tensions(problem.W, problem.radius, problem.min, problem.max, wrench).display !=
@@ -85,7 +85,7 @@ TEST(SpidarNearest, LeavesNoMoreStrayWrenchThanAnotherSolver) {
     most = std::max(most, stray);
     most_steps = std::max(most_steps, result.steps);
   }
-  EXPECT_GT(cases, testing::sweep_size(6000) / 20);
+  EXPECT_GT(cases, test::sweep_size(6000) / 20);
   RecordProperty("most_steps", most_steps);
   std::printf("%d poses where nothing is reachable: at most %d steps, stray wrench up to %.2f N\n", cases, most_steps,
               most);
@@ -93,10 +93,10 @@ TEST(SpidarNearest, LeavesNoMoreStrayWrenchThanAnotherSolver) {
 
 TEST(SpidarNearest, GoesOnWithoutAJumpWhereReachEnds) {
   // The greatest part in the exact direction may end steeply, so the border itself is sought out.
-  testing::SpidarPoses random(42);
+  test::SpidarPoses random(42);
   int borders = 0;
   double worst = 0.0;
-  for (int path = 0; path < testing::sweep_size(1000); ++path) {
+  for (int path = 0; path < test::sweep_size(1000); ++path) {
     const Pose goal = random.pose(0.03, 0.9);
     const Wrench wrench = random.wrench(5.0, 0.1);
     const auto display_at = [&](double way) {
@@ -113,7 +113,7 @@ TEST(SpidarNearest, GoesOnWithoutAJumpWhereReachEnds) {
     const Wrench jump = display_at(beyond).displayed - display_at(reached).displayed;
     worst = std::max({worst, jump.force.norm(), jump.torque.norm() / 0.0225});
   }
-  EXPECT_GT(borders, testing::sweep_size(1000) / 10);
+  EXPECT_GT(borders, test::sweep_size(1000) / 10);
   EXPECT_LT(worst, 0.04);  // N: what a hand does not feel
   std::printf("%d borders: greatest jump %.1e N\n", borders, worst);
 }
@@ -128,7 +128,7 @@ TEST(SpidarNearest, OfAReachableWrenchIsTheWrench) {
 
 TEST(SpidarNearest, AllocatesNothing) {
   const Case problem(spidar_preset("x3r").geometry, {{0.02, 0.02, 0.02}, rotation_from_vector({0.5, 0.3, 0.0})});
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   EXPECT_GT(nearest_tensions(problem.W, problem.radius, problem.min, problem.max, {}).steps, 0);
   EXPECT_EQ(counter.count(), 0U);
 }

@@ -15,7 +15,7 @@ namespace tegotae {
 namespace {
 
 TEST(SpidarNullSpace, HoldsAllTensionsThatDisplayTheSame) {
-  testing::SpidarPoses random(31);
+  test::SpidarPoses random(31);
   for (const SpidarPreset& preset : spidar_presets()) {
     const double radius = knot_radius(preset.geometry);
     const SpidarWrenchMatrix W = spidar_strings(preset.geometry, random.pose(0.02, 0.5)).wrenches;
@@ -39,7 +39,7 @@ TEST(SpidarNullSpace, SaysWhereTheStringsActOnFewerThanSixComponents) {
 
 // The facets of a zonotope in six dimensions by their definition: directions perpendicular to five of its generators.
 TEST(SpidarNullSpace, FacetsAreTheDirectionsPerpendicularToFiveStrings) {
-  testing::SpidarPoses random(32);
+  test::SpidarPoses random(32);
   const SpidarGeometry& geometry = spidar_preset("x4r").geometry;
   const SpidarWrenchMatrix W = spidar_strings(geometry, random.pose(0.02, 0.5)).wrenches;
   const SpidarFacets facets = spidar_facets(spidar_null_space(W, knot_radius(geometry)));

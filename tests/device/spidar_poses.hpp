@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// Random poses and wrenches for the SPIDAR's tests, from a fixed seed.
 class SpidarPoses {
@@ -38,4 +38,4 @@ class SpidarPoses {
   std::uniform_real_distribution<double> unit_{-1.0, 1.0};
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -15,7 +15,7 @@
 namespace tegotae {
 namespace {
 
-using testing::SpidarPoses;
+using test::SpidarPoses;
 
 std::string refusal(const SpidarGeometry& geometry) {
   try {
@@ -37,14 +37,14 @@ TEST(SpidarReach, IsTheLeastThatTheTensionsReachInAnyDirection) {
       const auto most = [&](const Wrench& wrench) {
         return spidar_tensions(W, knot_radius(geometry), min_tensions(geometry), max_tensions(geometry), wrench).scale;
       };
-      for (int k = 0; k < testing::sweep_size(20000); ++k) {
+      for (int k = 0; k < test::sweep_size(20000); ++k) {
         const Vector3 direction = random.direction();
         force = std::min(force, 500.0 * most({500.0 * direction, Vector3::Zero()}));
         torque = std::min(torque, 50.0 * most({Vector3::Zero(), 50.0 * direction}));
       }
       EXPECT_GE(force, reach.force * (1.0 - 1e-9)) << name;
       EXPECT_GE(torque, reach.torque * (1.0 - 1e-9)) << name;
-      const double near = testing::kSweepDivisor > 1 ? 1.1 : 1.01;
+      const double near = test::kSweepDivisor > 1 ? 1.1 : 1.01;
       EXPECT_LT(force, near * reach.force) << name;
       EXPECT_LT(torque, near * reach.torque) << name;
     }

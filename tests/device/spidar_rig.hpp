@@ -11,11 +11,11 @@
 #include <memory>
 #include <utility>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// Set-up of tests of a SPIDAR's driver.
 
-inline constexpr double kPeriod = 1e-3;  // s
+inline constexpr double kSpidarPeriod = 1e-3;  // s
 
 inline SpidarSettings spidar_settings(const char* preset = "x3r") {
   SpidarSettings settings;
@@ -33,9 +33,9 @@ inline SpidarVector counts_at(const SpidarGeometry& geometry, const Pose& X_SG) 
   return counts;
 }
 
-inline double turned(const Pose& a, const Pose& b) { return rotation_vector(a.q * b.q.conjugate()).norm(); }
+inline double turn_between(const Pose& a, const Pose& b) { return rotation_vector(a.q * b.q.conjugate()).norm(); }
 
-inline Trajectory still(const Pose& X_WT = {}) { return Trajectory({{0.0, X_WT}}); }
+inline Trajectory held_still(const Pose& X_WT = {}) { return Trajectory({{0.0, X_WT}}); }
 
 /// A simulated SPIDAR that is what its driver takes it for, in a moderate hand.
 inline SimulatedSpidarSettings simulated_settings(const SpidarSettings& driver) {
@@ -51,4 +51,4 @@ inline std::unique_ptr<SimulatedSpidar> simulated_spidar(const SpidarSettings& d
                                            std::make_unique<IntendedTrajectory>(std::move(intended)));
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -18,16 +18,16 @@
 namespace tegotae {
 namespace {
 
-using testing::SpidarPoses;
+using test::SpidarPoses;
 
-constexpr double kTurn = 0.52;  // rad, 30 degrees
+constexpr double kFrameTurn = 0.52;  // rad, 30 degrees
 
-struct Case {
+struct TensionCase {
   SpidarWrenchMatrix W;
   SpidarVector min, max;
   double radius;
 
-  Case(const SpidarGeometry& geometry, const Pose& X_SG)
+  TensionCase(const SpidarGeometry& geometry, const Pose& X_SG)
       : W(spidar_strings(geometry, X_SG).wrenches),
         min(min_tensions(geometry)),
         max(max_tensions(geometry)),
@@ -41,7 +41,7 @@ double difference(const Wrench& a, const Wrench& b) {
 
 /// How far t is from the conditions of Karush, Kuhn and Tucker for min |t - min|^2 among those that display W t within
 /// the limits: t - min = W^T y between the limits, less at a least tension, more at a greatest. N.
-double kkt_residual(const Case& problem, const SpidarVector& t) {
+double kkt_residual(const TensionCase& problem, const SpidarVector& t) {
   constexpr double kAtLimit = 1e-9;  // N
   const SpidarVector spread = t - problem.min;
   Eigen::MatrixXd free(0, 6);
@@ -67,7 +67,7 @@ double kkt_residual(const Case& problem, const SpidarVector& t) {
 }
 
 /// The greatest s with s w reachable, by an interior-point method in the plane of z and s; negative where none is.
-double greatest_scale(const Case& problem, const Wrench& wrench) {
+double greatest_scale(const TensionCase& problem, const Wrench& wrench) {
   const Eigen::MatrixXd W = problem.W;
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(W, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::VectorXd w(6);
@@ -106,8 +106,8 @@ TEST(SpidarTensions, DisplayAReachableWrenchExactlyWithTheLeastSpread) {
   for (const char* name : {"x3r", "x3l", "x4r"}) {
     double worst = 0.0, worst_kkt = 0.0;
     int exact = 0;
-    for (int k = 0; k < testing::sweep_size(20000); ++k) {
-      const Case problem(spidar_preset(name).geometry, random.pose(0.02, kTurn));
+    for (int k = 0; k < test::sweep_size(20000); ++k) {
+      const TensionCase problem(spidar_preset(name).geometry, random.pose(0.02, kFrameTurn));
       const Wrench wrench = random.wrench(10.0, 0.2);
       const SpidarTensions result = problem.solve(wrench);
       ASSERT_TRUE((result.tensions.array() >= problem.min.array()).all());
@@ -118,7 +118,7 @@ TEST(SpidarTensions, DisplayAReachableWrenchExactlyWithTheLeastSpread) {
       worst = std::max({worst, difference(result.displayed, wrench), difference(result.shortfall, {})});
       worst_kkt = std::max(worst_kkt, kkt_residual(problem, result.tensions));
     }
-    EXPECT_GT(exact, testing::sweep_size(20000) / 3) << name;
+    EXPECT_GT(exact, test::sweep_size(20000) / 3) << name;
     EXPECT_LT(worst, 1e-6) << name;
     EXPECT_LT(worst_kkt, 1e-6) << name;
     std::printf("%s: %d reachable wrenches, displayed within %.1e, KKT within %.1e N\n", name, exact, worst, worst_kkt);
@@ -128,8 +128,8 @@ TEST(SpidarTensions, DisplayAReachableWrenchExactlyWithTheLeastSpread) {
 TEST(SpidarTensions, ScaleIsTheGreatestThatAnotherSolverFinds) {
   SpidarPoses random(12);
   int scaled = 0, none = 0;
-  for (int k = 0; k < testing::sweep_size(3000); ++k) {
-    const Case problem(spidar_preset(k % 2 == 0 ? "x3r" : "x4r").geometry, random.pose(0.02, kTurn));
+  for (int k = 0; k < test::sweep_size(3000); ++k) {
+    const TensionCase problem(spidar_preset(k % 2 == 0 ? "x3r" : "x4r").geometry, random.pose(0.02, kFrameTurn));
     const Wrench wrench = random.wrench(60.0, 1.0);
     const SpidarTensions result = problem.solve(wrench);
     const double oracle = greatest_scale(problem, wrench);
@@ -143,12 +143,12 @@ TEST(SpidarTensions, ScaleIsTheGreatestThatAnotherSolverFinds) {
     EXPECT_LT(difference(result.displayed, wrench * result.scale), 1e-6) << k;
     EXPECT_LT(difference(result.displayed + result.shortfall, wrench), 1e-12) << k;
   }
-  EXPECT_GT(scaled, testing::sweep_size(3000) / 4);
+  EXPECT_GT(scaled, test::sweep_size(3000) / 4);
   EXPECT_GT(none, 0);
 }
 
 TEST(SpidarTensions, AtTheCentreNoWrenchLeavesTheLeastTensionsWhereTheyBalance) {
-  const Case problem(spidar_preset("x3r").geometry, {});
+  const TensionCase problem(spidar_preset("x3r").geometry, {});
   const SpidarTensions result = problem.solve({});
   EXPECT_EQ(result.display, SpidarDisplay::kExact);
   EXPECT_LT(difference(result.displayed, {}), 1e-9);
@@ -159,10 +159,10 @@ TEST(SpidarTensions, AtTheCentreNoWrenchLeavesTheLeastTensionsWhereTheyBalance) 
 TEST(SpidarTensions, HoldTheGripWithoutAWrenchInMostPoses) {
   for (const char* name : {"x3r", "x3l", "x4r"}) {
     SpidarPoses random(13);
-    const int poses = testing::sweep_size(30000);
+    const int poses = test::sweep_size(30000);
     int held = 0;
     for (int k = 0; k < poses; ++k) {
-      const Case problem(spidar_preset(name).geometry, random.pose(0.02, kTurn));
+      const TensionCase problem(spidar_preset(name).geometry, random.pose(0.02, kFrameTurn));
       held += problem.solve({}).display == SpidarDisplay::kExact ? 1 : 0;
     }
     EXPECT_GT(held, 0.88 * poses) << name;
@@ -172,7 +172,8 @@ TEST(SpidarTensions, HoldTheGripWithoutAWrenchInMostPoses) {
 }
 
 TEST(SpidarTensions, FollowTheWrenchWithoutJumpsOutOfReachAndBack) {
-  const Case problem(spidar_preset("x4r").geometry, {{5e-3, -3e-3, 2e-3}, rotation_from_vector({0.1, 0.2, -0.1})});
+  const TensionCase problem(spidar_preset("x4r").geometry,
+                            {{5e-3, -3e-3, 2e-3}, rotation_from_vector({0.1, 0.2, -0.1})});
   const Vector3 direction = Vector3(1.0, 0.3, -0.7).normalized();
   SpidarVector last = problem.solve({}).tensions;
   bool was_exact = false, was_scaled = false;
@@ -189,22 +190,22 @@ TEST(SpidarTensions, FollowTheWrenchWithoutJumpsOutOfReachAndBack) {
 }
 
 TEST(SpidarTensions, AreLeastWhereNothingCanBeSaid) {
-  const Case problem(spidar_preset("x3r").geometry, {});
+  const TensionCase problem(spidar_preset("x3r").geometry, {});
   const Wrench bad{{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}, Vector3::Zero()};
   EXPECT_EQ(problem.solve(bad).tensions, problem.min);
-  Case singular = problem;
+  TensionCase singular = problem;
   singular.W.row(5).setZero();
   const SpidarTensions result = singular.solve({{1.0, 0.0, 0.0}, Vector3::Zero()});
   EXPECT_EQ(result.display, SpidarDisplay::kSingular);
   EXPECT_EQ(result.tensions, problem.min);
-  Case broken = problem;
+  TensionCase broken = problem;
   broken.W(0, 0) = std::numeric_limits<double>::infinity();
   EXPECT_EQ(broken.solve({}).tensions, problem.min);
 }
 
 TEST(SpidarTensions, AllocateNothing) {
-  const Case problem(spidar_preset("x3r").geometry, {});
-  const testing::AllocationCounter counter;
+  const TensionCase problem(spidar_preset("x3r").geometry, {});
+  const test::AllocationCounter counter;
   EXPECT_EQ(problem.solve({{1.0, 0.0, 0.0}, Vector3::Zero()}).display, SpidarDisplay::kExact);
   EXPECT_EQ(problem.solve({{100.0, 0.0, 0.0}, Vector3::Zero()}).display, SpidarDisplay::kScaled);
   EXPECT_EQ(counter.count(), 0U);

@@ -13,9 +13,9 @@
 namespace tegotae {
 namespace {
 
+using test::refusal;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using testing::refusal;
 
 constexpr const char* kFolderVariable = "TEGOTAE_TEST_VENDOR_FOLDER";
 

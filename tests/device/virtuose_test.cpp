@@ -17,16 +17,16 @@
 namespace tegotae {
 namespace {
 
+using test::comes_true;
+using test::DoubleStateFile;
+using test::refusal;
 using ::testing::AllOf;
-using testing::comes_true;
-using testing::DoubleStateFile;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
-using testing::refusal;
 
 constexpr double kSingle = 1e-7;  // the API speaks in single precision; relative
 
-Wrench push(double x, double y, double z) { return {{x, y, z}, Vector3::Zero()}; }
+Wrench virtuose_push(double x, double y, double z) { return {{x, y, z}, Vector3::Zero()}; }
 
 // An arm whose controller answers to "arm.local#5125", at a pose of no symmetry; its clock stands still.
 class VirtuoseTest : public ::testing::Test {
@@ -106,7 +106,7 @@ TEST_F(VirtuoseTest, RenamesAxesWhereAskedTo) {
   ASSERT_EQ(interface->read(0.0, state), InterfaceStatus::kOk);
   EXPECT_LT((state.X_WT.p - Vector3(0.02, -0.3, -0.1)).norm(), kSingle);
   EXPECT_LT((rotation_vector(state.X_WT.q) - Vector3(-0.2, -0.3, 0.5)).norm(), 4 * kSingle);
-  ASSERT_EQ(interface->write({push(1.0, 2.0, 3.0), 0.0}), InterfaceStatus::kOk);
+  ASSERT_EQ(interface->write({virtuose_push(1.0, 2.0, 3.0), 0.0}), InterfaceStatus::kOk);
   EXPECT_EQ(arm.displayed().force, Vector3(-2.0, 1.0, 3.0));
 }
 
@@ -148,8 +148,9 @@ TEST_F(VirtuoseTest, TheControllerClipsToTheLimitsOfTheOptions) {
 
 TEST_F(VirtuoseTest, WhatIsNotFiniteIsDisplayedAsZero) {
   const auto interface = open();
-  ASSERT_EQ(interface->write({push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
-  ASSERT_EQ(interface->write({push(std::numeric_limits<double>::infinity(), 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
+  ASSERT_EQ(interface->write({virtuose_push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
+  ASSERT_EQ(interface->write({virtuose_push(std::numeric_limits<double>::infinity(), 0.0, 0.0), 0.0}),
+            InterfaceStatus::kOk);
   EXPECT_EQ(arm.commanded().force.norm(), 0.0);
   EXPECT_EQ(arm->bad_commands.load(), 0u);
 }
@@ -159,7 +160,7 @@ TEST_F(VirtuoseTest, ClosesWithZeroAndWithoutPower) {
     const auto interface = open();
     EXPECT_TRUE(arm->powered.load());
     EXPECT_EQ(arm->largest_force.load(), 0.0);
-    interface->write({push(1.0, 0.0, 0.0), 0.0});
+    interface->write({virtuose_push(1.0, 0.0, 0.0), 0.0});
   }
   EXPECT_EQ(arm.commanded().force.norm(), 0.0);
   EXPECT_FALSE(arm->powered.load());
@@ -195,10 +196,10 @@ TEST_F(VirtuoseTest, WithoutPowerItIsLostAndGoesOnWithoutOpeningAnew) {
 // The force would come back in one step.
 TEST_F(VirtuoseTest, TheOffsetButtonNeitherSilencesTheForceNorGoesUnseen) {
   const auto interface = open();
-  ASSERT_EQ(interface->write({push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
+  ASSERT_EQ(interface->write({virtuose_push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
   arm->offset_button.store(true);
   EXPECT_EQ(interface->read(0.0, state), InterfaceStatus::kLost) << "so the loop commands zero and begins its ramp";
-  ASSERT_EQ(interface->write({push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
+  ASSERT_EQ(interface->write({virtuose_push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
   EXPECT_EQ(arm.displayed().force.x(), 1.0) << "the command alone says what is displayed";
   arm->offset_button.store(false);
   EXPECT_EQ(interface->read(0.0, state), InterfaceStatus::kOk);
@@ -207,7 +208,7 @@ TEST_F(VirtuoseTest, TheOffsetButtonNeitherSilencesTheForceNorGoesUnseen) {
 
 TEST_F(VirtuoseTest, AfterAnEmergencyStopPowerWaitsForAButton) {
   const auto interface = open();
-  ASSERT_EQ(interface->write({push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
+  ASSERT_EQ(interface->write({virtuose_push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
   arm->buttons.store(1);  // held all the time
   arm->emergency_stop.store(true);
   EXPECT_TRUE(stays_lost(*interface));
@@ -276,22 +277,22 @@ TEST_F(VirtuoseTest, UnpluggedItIsLostAndComesBack) {
   arm.unplug();
   for (int i = 0; i < 50; ++i) {
     EXPECT_EQ(interface->read(0.0, state), InterfaceStatus::kLost);
-    EXPECT_EQ(interface->write({push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kLost);
+    EXPECT_EQ(interface->write({virtuose_push(1.0, 0.0, 0.0), 0.0}), InterfaceStatus::kLost);
   }
   arm.plug_in();
   ASSERT_TRUE(comes_true([&] { return interface->read(0.0, state) == InterfaceStatus::kOk; }));
   EXPECT_EQ(arm.displayed().force.norm(), 0.0);
-  ASSERT_EQ(interface->write({push(2.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
+  ASSERT_EQ(interface->write({virtuose_push(2.0, 0.0, 0.0), 0.0}), InterfaceStatus::kOk);
   EXPECT_EQ(arm.displayed().force.x(), 2.0);
 }
 
 TEST_F(VirtuoseTest, ReadingAndWritingTakeNoMemoryAndNoLock) {
   const auto interface = open();
-  const testing::AllocationCounter allocations;
-  const testing::LockCounter locks;
+  const test::AllocationCounter allocations;
+  const test::LockCounter locks;
   for (int i = 0; i < 100; ++i) {
     interface->read(1e-3 * i, state);
-    interface->write({push(1.0, 0.0, 0.0), 0.0});
+    interface->write({virtuose_push(1.0, 0.0, 0.0), 0.0});
   }
   EXPECT_EQ(allocations.count(), 0u);
   EXPECT_EQ(locks.count(), 0u);

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// Asks every millisecond until `condition` is true, for a minute at most: long enough for any machine, so that false
 /// means never.
@@ -18,4 +18,4 @@ bool comes_true(const Condition& condition) {
   return true;
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <limits>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 constexpr double kSubstep = 50e-6;                // s
@@ -275,4 +275,4 @@ bool DoubleDevice::calibrate() {
   return true;
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// What a double's sensors report, in the maker's axes, its faults included.
 struct DoubleReading {
@@ -74,4 +74,4 @@ class DoubleDevice {
   bool is_frozen_ = false;
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

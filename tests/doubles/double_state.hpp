@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// Environment variable with the path of the file that holds a DoubleState.
 inline constexpr const char* kDoubleStateVariable = "TEGOTAE_DOUBLE_STATE";
@@ -100,4 +100,4 @@ static_assert(std::atomic<double>::is_always_lock_free && std::atomic<std::int64
                   std::atomic<bool>::is_always_lock_free,
               "processes cannot share a lock that is hidden in an atomic");
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

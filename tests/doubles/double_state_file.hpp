@@ -17,7 +17,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// A simulated device on its cable, for one test: makes the file, names it in this process' environment (which children
 /// inherit) and takes both back. No test library may be in a call, nor a device open, when it goes.
@@ -82,4 +82,4 @@ class DoubleStateFile {
   DoubleState* state_ = nullptr;
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -13,10 +13,10 @@
 using tegotae::Matrix3;
 using tegotae::Vector3;
 using tegotae::Wrench;
-using tegotae::testing::DoubleDevice;
-using tegotae::testing::DoubleReading;
-using tegotae::testing::DoubleState;
-using tegotae::testing::HdOddity;
+using tegotae::test::DoubleDevice;
+using tegotae::test::DoubleReading;
+using tegotae::test::DoubleState;
+using tegotae::test::HdOddity;
 
 namespace {
 

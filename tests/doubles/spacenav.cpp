@@ -8,8 +8,8 @@
 
 #include <array>
 
-using tegotae::testing::DoubleDevice;
-using tegotae::testing::DoubleState;
+using tegotae::test::DoubleDevice;
+using tegotae::test::DoubleState;
 
 namespace {
 

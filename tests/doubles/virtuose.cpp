@@ -8,9 +8,9 @@
 
 using tegotae::Vector3;
 using tegotae::Wrench;
-using tegotae::testing::DoubleDevice;
-using tegotae::testing::DoubleReading;
-using tegotae::testing::DoubleState;
+using tegotae::test::DoubleDevice;
+using tegotae::test::DoubleReading;
+using tegotae::test::DoubleState;
 
 namespace {
 

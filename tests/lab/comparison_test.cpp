@@ -19,7 +19,6 @@
 namespace tegotae {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 
 /// The paper's cube with its closed form as reference.
@@ -49,8 +48,8 @@ ComparisonRequest quick_request() {
   return request;
 }
 
-json without_timing(const ComparisonResult& result) {
-  json parsed = json::parse(comparison_json(result));
+nlohmann::json without_timing(const ComparisonResult& result) {
+  nlohmann::json parsed = nlohmann::json::parse(comparison_json(result));
   for (auto& experiment : parsed["experiments"]) {
     for (auto& row : experiment["methods"]) row.erase("timing");
   }
@@ -86,7 +85,7 @@ TEST(Comparison, HoldsEachMethodToTheReference) {
 
 TEST(Comparison, RepeatsBitForBitOnAnyNumberOfThreads) {
   ComparisonRequest request = quick_request();
-  const json alone = without_timing(run_comparison(request, [](double) {}));
+  const nlohmann::json alone = without_timing(run_comparison(request, [](double) {}));
   request.threads = 3;
   EXPECT_EQ(without_timing(run_comparison(request, [](double) {})), alone);
 }
@@ -114,7 +113,7 @@ TEST(Comparison, AFailureIsToldInItsRowAndHindersNothingElse) {
   const std::string page = comparison_markdown(result);
   EXPECT_THAT(page, HasSubstr("| failed |"));
   EXPECT_THAT(page, HasSubstr("- no-such failed: there is no method"));
-  const json parsed = json::parse(comparison_json(result));
+  const nlohmann::json parsed = nlohmann::json::parse(comparison_json(result));
   EXPECT_EQ(parsed["experiments"][1]["methods"][0]["state"], "failed");
   EXPECT_EQ(parsed["experiments"][1]["methods"][0]["failure"], "the reference failed: no solution");
 }
@@ -135,7 +134,7 @@ TEST(Comparison, StoppedTellsWhatWasNotReached) {
   for (const ComparisonRow& row : result.experiments[1].rows) EXPECT_EQ(row.state, RowState::kNotReached);
   EXPECT_THAT(comparison_markdown(result), HasSubstr("| second | not reached | not reached |"));
   EXPECT_THAT(comparison_markdown(result), HasSubstr("Interrupted"));
-  EXPECT_EQ(json::parse(comparison_json(result))["experiments"][1]["methods"][1]["state"], "not reached");
+  EXPECT_EQ(nlohmann::json::parse(comparison_json(result))["experiments"][1]["methods"][1]["state"], "not reached");
 }
 
 TEST(Comparison, StabilityThatWasNotReachedFillsItsRow) {
@@ -175,15 +174,15 @@ TEST(Comparison, MeasuresTheStabilityOfEachMethod) {
   EXPECT_NEAR(row.limits[2].ratio_to_linear(), 0.25, 0.02);  // four springs side by side
   ASSERT_TRUE(row.energy.has_value());
   EXPECT_THAT(stability_table(result), HasSubstr("| berkelman | "));
-  const json parsed = json::parse(comparison_json(result));
+  const nlohmann::json parsed = nlohmann::json::parse(comparison_json(result));
   EXPECT_EQ(parsed["stability"]["largest_stable_stiffness"].size(), 3U);
   EXPECT_EQ(parsed["stability"]["energy_in_random_contact"].size(), 1U);
   EXPECT_TRUE(parsed["stability"]["failures"].empty());
 }
 
 TEST(Comparison, MetricsStandInTheJsonWithTheirUnits) {
-  const json row =
-      json::parse(comparison_json(run_comparison(quick_request(), [](double) {})))["experiments"][0]["methods"][0];
+  const nlohmann::json row = nlohmann::json::parse(
+      comparison_json(run_comparison(quick_request(), [](double) {})))["experiments"][0]["methods"][0];
   for (const char* key : {"force_rmse_N", "force_rmse_of_peak", "torque_worst_N_m", "spurious_torque_N_m",
                           "torque_change_per_tick_beyond_reference_N_m", "force_greatest_change_per_tick_N",
                           "ghost_contact_ticks", "ghost_contact_force_N", "proxy_penetration_m", "energy_injected_J"}) {

@@ -3,16 +3,12 @@
 
 #include <tegotae/lab/convex_core.hpp>
 
+#include <tests/lab/placed_core.hpp>
+
 #include <gtest/gtest.h>
 
 namespace tegotae {
 namespace {
-
-ConvexCore core_at(const Shape& shape, const Pose& X_WB) {
-  ConvexCore placed;
-  place(core_of(shape), X_WB, placed);
-  return placed;
-}
 
 TEST(ConvexCore, RoundShapesAreFewPointsAndARadius) {
   const ConvexCore ball = core_of(make_sphere(0.03, placed_at(1, 2, 3)));
@@ -28,7 +24,7 @@ TEST(ConvexCore, RoundShapesAreFewPointsAndARadius) {
 
 TEST(ConvexCore, IsPlacedByTheShapeThenByTheBody) {
   const Shape shape = make_box({0.1, 0.2, 0.3}, placed_at(1, 0, 0, {0.0, 0.0, 90.0}));
-  const ConvexCore core = core_at(shape, placed_at(0, 0, 5, {90.0, 0.0, 0.0}));
+  const ConvexCore core = test::placed_core(shape, placed_at(0, 0, 5, {90.0, 0.0, 0.0}));
   // Half edges along the body's axes: 0.2, 0.1, 0.3; in the world: 0.2, 0.3, 0.1.
   EXPECT_NEAR(core.box.lower.x(), 0.8, 1e-12);
   EXPECT_NEAR(core.box.upper.y(), 0.3, 1e-12);
@@ -38,14 +34,15 @@ TEST(ConvexCore, IsPlacedByTheShapeThenByTheBody) {
 }
 
 TEST(ConvexCore, GapCountsRadiiOfBothSides) {
-  const ConvexCore above = core_at(make_sphere(0.02), placed_at(0, 0, 0.1));
-  EXPECT_NEAR(gap_along(above, core_at(make_sphere(0.03), Pose{}), Vector3::UnitZ()), 0.05, 1e-12);
-  EXPECT_NEAR(gap_along(above, core_at(make_sphere(0.03), Pose{}), Vector3::UnitX()), -0.05, 1e-12);
-  EXPECT_NEAR(gap_along(above, core_at(make_plane(placed_at(3, 4, 0.09)), Pose{}), Vector3::UnitZ()), -0.01, 1e-12);
+  const ConvexCore above = test::placed_core(make_sphere(0.02), placed_at(0, 0, 0.1));
+  EXPECT_NEAR(gap_along(above, test::placed_core(make_sphere(0.03), Pose{}), Vector3::UnitZ()), 0.05, 1e-12);
+  EXPECT_NEAR(gap_along(above, test::placed_core(make_sphere(0.03), Pose{}), Vector3::UnitX()), -0.05, 1e-12);
+  EXPECT_NEAR(gap_along(above, test::placed_core(make_plane(placed_at(3, 4, 0.09)), Pose{}), Vector3::UnitZ()), -0.01,
+              1e-12);
 }
 
 TEST(ConvexCore, BoxOfARoundShapeHasItsRadius) {
-  const ConvexCore capsule = core_at(make_capsule(0.01, 0.2), Pose{});
+  const ConvexCore capsule = test::placed_core(make_capsule(0.01, 0.2), Pose{});
   EXPECT_NEAR(capsule.box.upper.z(), 0.21, 1e-12);
   EXPECT_NEAR(capsule.box.lower.x(), -0.01, 1e-12);
 }

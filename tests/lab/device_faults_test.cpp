@@ -20,8 +20,8 @@
 namespace tegotae {
 namespace {
 
-using testing::DoubleState;
-using testing::DoubleStateFile;
+using test::DoubleState;
+using test::DoubleStateFile;
 
 constexpr double kStiffness = 1000.0;                // N/m
 constexpr double kLargestForce = 12.0;               // N, of the model

@@ -8,7 +8,7 @@
 namespace tegotae {
 namespace {
 
-constexpr double kStiffness = 1000.0, kDepth = 1.002e-3;  // N/m; m, with the skin
+constexpr double kEdgeStiffness = 1000.0, kEdgeDepth = 1.002e-3;  // N/m; m, with the skin
 
 const Performance& table_edge() {
   static const Performance done = perform(find_experiment("table-edge"));
@@ -39,7 +39,7 @@ TEST(TableEdge, NothingIsFeltFromTheThirdTickAfterTheDrop) {
 TEST(TableEdge, OnTheTableTheFaceHasNoTorque) {
   for (const TickRecord& record : table_edge().records) {
     if (record.time < 0.6 || record.X_WT.p.x > -0.031 || record.time > 2.4) continue;
-    ASSERT_NEAR(record.wrench.force.z, kStiffness * kDepth, 1e-3);
+    ASSERT_NEAR(record.wrench.force.z, kEdgeStiffness * kEdgeDepth, 1e-3);
     ASSERT_LT(Vector3(record.wrench.torque).norm(), 1e-9) << record.time;
   }
 }
@@ -58,7 +58,7 @@ TEST(Overhang, HasTheTorqueOfThePillarsEdge) {
   const TickRecord& record = at_time(done, 1.8);
   const double arm = record.X_WT.p.x - 0.02, l2 = done.settings.metric_length * done.settings.metric_length;
   ASSERT_NEAR(arm, 0.025, 1e-12);
-  const double force = kStiffness * kDepth / (1.0 + arm * arm / l2);
+  const double force = kEdgeStiffness * kEdgeDepth / (1.0 + arm * arm / l2);
   EXPECT_NEAR(record.wrench.force.z, force, 0.01 * force);
   EXPECT_NEAR(record.wrench.torque.y, arm * force, 0.01 * arm * force);
 }

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint32_t kSeed = 5;
 // s; a sanitizer sees one hold.
-const double kDuration = std::max(2.0 * testing::PressAndSlide::kEpisode, 1.0 * testing::sweep_size(60));
+const double kFeltDuration = std::max(2.0 * test::PressAndSlide::kEpisode, 1.0 * test::sweep_size(60));
 
 // Frictionless: nothing that the contact takes helps to damp.
 StabilitySetup setup_of(const char* device, const char* method, double delay) {
@@ -42,7 +42,7 @@ StabilitySetup setup_of(const char* device, const char* method, double delay) {
 double stable_stiffness(const StabilitySetup& setup) {
   double least = std::numeric_limits<double>::infinity();
   const auto features = touched_features();
-  for (const TouchedFeature& feature : features.first(testing::kSweepDivisor > 1 ? 1 : features.size())) {
+  for (const TouchedFeature& feature : features.first(test::kSweepDivisor > 1 ? 1 : features.size())) {
     least = std::min(least, measure_stability(setup, feature, [](double) {}).limit.largest_stable);
   }
   return least;
@@ -62,22 +62,22 @@ Contact press_and_slide(StabilitySetup setup, double stiffness, bool bound) {
   setup.settings.stiffness = stiffness;
   setup.settings.energy_bound = bound;
   const SceneGeometry scene = cube_over_floor();
-  const testing::PressAndSlide motion(scene.tool, kDuration, kSeed);
+  const test::PressAndSlide motion(scene.tool, kFeltDuration, kSeed);
   SimulatedHandInterface interface(motion.motion(), setup.device, setup.hand);
   const SafetyLimits limits = safety_limits_of(setup.settings, interface.capability(), scene.tool);
   const double gyration_length = scene.tool.mass.gyration_length();
-  testing::VibrationMeter meter(1.0 / setup.settings.haptic_rate);
+  test::VibrationMeter meter(1.0 / setup.settings.haptic_rate);
   Contact contact;
   Pose X_WG_before;
   Wrench motors;
   double asked = 0.0;
   bool was_held = false;
-  run_closed_loop(scene, setup.settings, limits, interface, kDuration, [&](const TickRecord& record) {
+  run_closed_loop(scene, setup.settings, limits, interface, kFeltDuration, [&](const TickRecord& record) {
     const GripState& grip = interface.grip();
     Vector6 velocity;
     velocity << grip.V_WG.linear, gyration_length * grip.V_WG.angular;
     // From the third second on: the ramp has risen.
-    const bool held = record.time > 3.0 && testing::PressAndSlide::is_held(record.time);
+    const bool held = record.time > 3.0 && test::PressAndSlide::is_held(record.time);
     meter.add(velocity, held);
     if (held && was_held) {
       const Vector6 way = displacement(X_WG_before, grip.X_WG, Vector3::Zero());

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// A way of the hand: from pose to pose at given speeds, then at rest.
 class HandWay {
@@ -105,4 +105,4 @@ inline HandWay random_way(int seed, double duration) {
   return way;
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// A world whose work on the bodies is watched: passes everything on.
 class WatchedWorld final : public World {
@@ -201,4 +201,4 @@ inline SessionSettings table_settings() {
   return as_live(settings, world->geometry());
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

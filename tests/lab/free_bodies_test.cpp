@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 // Of every run, whatever is set.
@@ -213,4 +213,4 @@ TEST(FreeBodies, TheSceneTellsTheirMasses) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

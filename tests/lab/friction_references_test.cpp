@@ -10,7 +10,7 @@
 namespace tegotae {
 namespace {
 
-constexpr double kHalf = 0.02, kDepth = 1e-3, kSkin = 2e-6, kMu = 0.5;  // m, m, m
+constexpr double kHalf = 0.02, kDraggedDepth = 1e-3, kDraggedSkin = 2e-6, kMu = 0.5;  // m, m, m
 
 struct Cube {
   SceneGeometry scene;
@@ -30,14 +30,14 @@ struct Cube {
 // Along x by 0.1 mm a sample, its lowest point in the floor.
 std::vector<Pose> along_x(const Quaternion& q, double height, int samples, double sign = 1.0) {
   std::vector<Pose> poses;
-  for (int i = 0; i < samples; ++i) poses.push_back({{sign * 1e-4 * i, 0.0, height - kDepth}, q});
+  for (int i = 0; i < samples; ++i) poses.push_back({{sign * 1e-4 * i, 0.0, height - kDraggedDepth}, q});
   return poses;
 }
 
 TEST(FlatFaceReference, SticksElasticallyThenSlipsAtTheCone) {
   const Cube cube;
   const auto samples = cube.asked(flat_face_reference(kMu, 0.015), along_x(Quaternion::Identity(), kHalf, 100));
-  const double N = 1000.0 * (kDepth + kSkin);
+  const double N = 1000.0 * (kDraggedDepth + kDraggedSkin);
   for (size_t i = 0; i < samples.size(); ++i) {
     const Vector3& f = samples[i].wrench.force;
     EXPECT_NEAR(f.z(), N, 1e-12);
@@ -51,7 +51,7 @@ TEST(FlatFaceReference, TurnedAroundItUnloadsFirst) {
   std::vector<Pose> poses = along_x(Quaternion::Identity(), kHalf, 100);
   for (int i = 98; i >= 0; --i) poses.push_back(poses[static_cast<size_t>(i)]);
   const auto samples = cube.asked(flat_face_reference(kMu, 0.015), poses);
-  const double limit = kMu * 1000.0 * (kDepth + kSkin);
+  const double limit = kMu * 1000.0 * (kDraggedDepth + kDraggedSkin);
   EXPECT_NEAR(samples[99].wrench.force.x(), -limit, 1e-12);
   EXPECT_NEAR(samples[104].wrench.force.x(), 0.5 - limit, 1e-12) << "5 steps back: 0.5 N less";
   EXPECT_NEAR(samples.back().wrench.force.x(), limit, 1e-12);
@@ -61,10 +61,10 @@ TEST(FlatFaceReference, TwistIsLimitedByTheMeanDistance) {
   const Cube cube;
   std::vector<Pose> poses;
   for (int i = 0; i < 200; ++i) {
-    poses.push_back({{0.0, 0.0, kHalf - kDepth}, rotation_from_vector(1e-3 * i * Vector3::UnitZ())});
+    poses.push_back({{0.0, 0.0, kHalf - kDraggedDepth}, rotation_from_vector(1e-3 * i * Vector3::UnitZ())});
   }
   const auto samples = cube.asked(flat_face_reference(kMu, 0.015), poses);
-  const double limit = kMu * 1000.0 * (kDepth + kSkin) * 0.015;
+  const double limit = kMu * 1000.0 * (kDraggedDepth + kDraggedSkin) * 0.015;
   for (size_t i = 0; i < samples.size(); ++i) {
     const double elastic = 1000.0 * 4e-4 * 1e-3 * static_cast<double>(i);
     EXPECT_NEAR(samples[i].wrench.torque.z(), -std::min(elastic, limit), 1e-12);
@@ -104,7 +104,7 @@ TEST_P(DraggedPoint, ForceAndTorqueBalanceAtTheTurnedPose) {
     EXPECT_NEAR(f.y(), 0.0, 1e-12);
     const Vector3 r = rotation_from_vector(theta) * (q * GetParam().p_T);
     EXPECT_LT((r.cross(f) - last.wrench.torque).norm(), 1e-9);
-    EXPECT_NEAR(height - kDepth + f.z() / 1000.0 + r.z(), kSkin, 1e-9);
+    EXPECT_NEAR(height - kDraggedDepth + f.z() / 1000.0 + r.z(), kDraggedSkin, 1e-9);
     EXPECT_GT(theta.norm(), 0.01) << "it turns noticeably";
   }
 }

@@ -12,7 +12,7 @@
 namespace tegotae {
 namespace {
 
-constexpr double kMu = 0.5;
+constexpr double kTaskMu = 0.5;
 
 class FrictionTask : public testing::TestWithParam<const char*> {};
 
@@ -37,8 +37,8 @@ TEST_P(Drag, IsTheCoefficientTimesTheNormalForce) {
   for (size_t i = 0; i < done.records.size(); ++i) {
     const Vector3 f = done.records[i].wrench.force;
     if (done.records[i].time < 0.5 || !done.reference[i].defined || done.reference[i].wrench.force.x() == 0.0) continue;
-    if (std::abs(done.reference[i].wrench.force.x()) < 0.999 * kMu * done.reference[i].wrench.force.z()) continue;
-    ASSERT_NEAR(f.head<2>().norm(), kMu * f.z(), 0.01 * kMu * f.z()) << done.records[i].time;
+    if (std::abs(done.reference[i].wrench.force.x()) < 0.999 * kTaskMu * done.reference[i].wrench.force.z()) continue;
+    ASSERT_NEAR(f.head<2>().norm(), kTaskMu * f.z(), 0.01 * kTaskMu * f.z()) << done.records[i].time;
     if (GetParam() == std::string("drag-face")) {
       ASSERT_NEAR(f.z(), unchanged, 0.01 * unchanged);
     }
@@ -59,7 +59,7 @@ TEST(Slope, SlipsWithinHalfADegreeOfTheAngleOfFriction) {
     slipped_at = std::atan2(record.X_WT.p.x - start, record.X_WP.p.z - record.X_WT.p.z) * 180.0 / std::numbers::pi;
     break;
   }
-  EXPECT_NEAR(slipped_at, std::atan(kMu) * 180.0 / std::numbers::pi, 0.5);
+  EXPECT_NEAR(slipped_at, std::atan(kTaskMu) * 180.0 / std::numbers::pi, 0.5);
 }
 
 TEST(Twist, IsThatOfUniformPressure) {
@@ -68,7 +68,7 @@ TEST(Twist, IsThatOfUniformPressure) {
     const Performance done = perform(find_experiment(name));
     for (const double time : {1.8, 4.0}) {
       const TickRecord& record = at_time(done, time);
-      const double expected = kMu * record.wrench.force.z * mean_distance;
+      const double expected = kTaskMu * record.wrench.force.z * mean_distance;
       EXPECT_NEAR(std::abs(record.wrench.torque.z), expected, 0.05 * expected) << name << " " << time;
     }
     EXPECT_LT(at_time(done, 1.8).wrench.torque.z, 0.0);

@@ -31,7 +31,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-LiveScene scene(const std::string& file) { return {file, std::filesystem::path(TEGOTAE_SCENES) / file}; }
+LiveScene scene_of(const std::string& file) { return {file, std::filesystem::path(TEGOTAE_SCENES) / file}; }
 
 // A session on a thread of its own, with all that it sends kept.
 class Pages {
@@ -115,8 +115,8 @@ class Pages {
 
 LiveSessionOptions table() {
   LiveSessionOptions options;
-  options.scene = scene("table.xml");
-  options.scenes = {scene("table.xml"), scene("cube-on-floor.xml")};
+  options.scene = scene_of("table.xml");
+  options.scenes = {scene_of("table.xml"), scene_of("cube-on-floor.xml")};
   return options;
 }
 
@@ -125,7 +125,7 @@ double force(const Json& state) {
   return Vector3(w[0].get<double>(), w[1].get<double>(), w[2].get<double>()).norm();
 }
 
-Json hand_at(double z) { return {{"type", "hand"}, {"pose", {0.0, -0.02, z, 1.0, 0.0, 0.0, 0.0}}}; }
+Json hand_message_at(double z) { return {{"type", "hand"}, {"pose", {0.0, -0.02, z, 1.0, 0.0, 0.0, 0.0}}}; }
 
 TEST(LiveSession, GreetsWhoComesWithNumberSceneAndSettings) {
   Pages pages(table());
@@ -149,17 +149,17 @@ TEST(LiveSession, ThePageIsTheHandUntilItLetsGo) {
   Pages pages(table());
   pages.inbox().joined(1);
   pages.inbox().joined(2);
-  pages.say(1, hand_at(0.455));
+  pages.say(1, hand_message_at(0.455));
   const Json pressed = pages.state([](const Json& s) { return force(s) > 1.0; });
   EXPECT_EQ(pressed["hand"], 1);
   EXPECT_NEAR(pressed["proxy"][2].get<double>(), 0.465, 1e-4);
   EXPECT_LT(pressed["tool"][2].get<double>(), 0.465);
-  pages.say(1, hand_at(0.455));
-  pages.say(2, hand_at(0.6));
+  pages.say(1, hand_message_at(0.455));
+  pages.say(2, hand_message_at(0.6));
   pages.say(1, {{"type", "release"}});
   pages.state([](const Json& s) { return s["hand"].is_null(); });
   EXPECT_GT(force(pages.state([](const Json& s) { return !s["target"].is_null(); })), 1.0) << "it stays where it was";
-  pages.say(2, hand_at(0.6));
+  pages.say(2, hand_message_at(0.6));
   pages.state([](const Json& s) { return s["hand"] == 2 && force(s) == 0.0; });
   pages.inbox().left(2);
   pages.state([](const Json& s) { return s["hand"].is_null(); });
@@ -222,7 +222,7 @@ TEST(LiveSession, PlaysMotionsScenesAndExperiments) {
   EXPECT_EQ(pages.message(1, "settings")["method"], "paper") << "the method that was chosen stays";
   const Json playing = pages.state([](const Json& s) { return s["motion"] == "overhang" && s["t"] > 0.1; });
   EXPECT_TRUE(playing["target"].is_null()) << "no hand means anything while an experiment plays";
-  pages.say(1, hand_at(1.0));
+  pages.say(1, hand_message_at(1.0));
   pages.state([](const Json& s) { return s["motion"].is_null() && !s["target"].is_null(); });
   pages.say(1, {{"type", "scene"}, {"name", "../../etc/passwd"}});
   const Json refusal = pages.message(1, "notice", [](const Json& s) { return s["level"] == "error"; });
@@ -352,7 +352,7 @@ TEST(LiveSession, ASceneThatCannotBeLoadedGivesWayToTheOneBefore) {
 
 TEST(LiveSession, AFullDiskEndsTheRecordingAndNothingElse) {
   const TemporaryFolder folder;
-  const testing::FileSizeLimit disk(200'000);
+  const test::FileSizeLimit disk(200'000);
   LiveSessionOptions options = table();
   options.file = folder.path() / "run.mcap";
   Pages pages(options);
@@ -387,7 +387,7 @@ TEST(LiveSession, WhatFramesSayNeverStopsIt) {
       "paper", "press", "table.xml", "../x", Json::array(), Json::array({1, 2, 3}), Json::object()};
   std::mt19937 random(20251);
   const auto any = [&](const auto& all) { return all[random() % all.size()]; };
-  const int messages = testing::sweep_size(3000);
+  const int messages = test::sweep_size(3000);
   for (int i = 0; i < messages; ++i) {
     Json message = {{"type", any(types)}};
     // No recording here, and no scene that takes long to load each time.

@@ -42,20 +42,21 @@ long count_touching(const std::vector<ReferenceSample>& samples) {
 
 // --- The paper's cube, y up, its floor's top at y = 0
 
-constexpr double kHalf = 0.1, kCubeStiffness = 9000.0;
+constexpr double kHalfOfTool = 0.1, kCubeStiffness = 9000.0;
 
 SceneGeometry cube_scene() {
-  return touching_scene(make_box(Vector3::Constant(kHalf)), {make_box({1.0, 0.1, 1.0}, placed_at(0.0, -0.1, 0.0))});
+  return touching_scene(make_box(Vector3::Constant(kHalfOfTool)),
+                        {make_box({1.0, 0.1, 1.0}, placed_at(0.0, -0.1, 0.0))});
 }
 
-double height_of_edge(double angle) { return kHalf * (std::cos(angle) + std::sin(angle)); }
+double height_of_edge(double angle) { return kHalfOfTool * (std::cos(angle) + std::sin(angle)); }
 
 // An edge at `angle` held in the floor, exact for turns of any size: the displacement (dy, turn) of least
 // dy^2 + l^2 turn^2 that lifts the lowest edge to the skin, where its slope over the turn vanishes.
 Wrench edge_on_floor(double height, double angle, double length) {
   const auto rise = [&](double turn) { return height_of_edge(angle + turn) + kThinSkin - height; };
   const auto slope = [&](double turn) {
-    return rise(turn) * kHalf * (std::cos(angle + turn) - std::sin(angle + turn)) + length * length * turn;
+    return rise(turn) * kHalfOfTool * (std::cos(angle + turn) - std::sin(angle + turn)) + length * length * turn;
   };
   double low = -0.02, high = 0.02;
   for (int i = 0; i < 60; ++i) {
@@ -80,10 +81,10 @@ TEST_P(OfflineReferenceCube, EdgeIsCarriedAsTheClosedFormSays) {
   for (const size_t tick : ticks) {
     const Pose& X_WT = path.poses()[tick];
     const CubeOnFloor expected =
-        cube_on_floor(kHalf, X_WT.p.y() - kThinSkin, rotation_vector(X_WT.q).z(), kCubeStiffness, length);
+        cube_on_floor(kHalfOfTool, X_WT.p.y() - kThinSkin, rotation_vector(X_WT.q).z(), kCubeStiffness, length);
     const double tolerance = 3e-4 * expected.force_y;
     EXPECT_NEAR(samples[tick].wrench.force.y(), expected.force_y, tolerance) << "tick " << tick;
-    EXPECT_NEAR(samples[tick].wrench.torque.z(), expected.torque_z, tolerance * kHalf) << "tick " << tick;
+    EXPECT_NEAR(samples[tick].wrench.torque.z(), expected.torque_z, tolerance * kHalfOfTool) << "tick " << tick;
     EXPECT_LT(std::abs(samples[tick].wrench.force.x()) + std::abs(samples[tick].wrench.force.z()), 1e-9);
   }
 }
@@ -102,7 +103,7 @@ TEST_P(OfflineReferenceCube, DeepEdgeIsCarriedAsItsOwnMinimumSays) {
     const Pose& X_WT = path.poses()[tick];
     const Wrench expected = edge_on_floor(X_WT.p.y(), rotation_vector(X_WT.q).z(), length);
     EXPECT_NEAR(samples[tick].wrench.force.y(), expected.force.y(), 2e-6 * expected.force.y()) << "tick " << tick;
-    EXPECT_NEAR(samples[tick].wrench.torque.z(), expected.torque.z(), 2e-6 * expected.force.y() * kHalf);
+    EXPECT_NEAR(samples[tick].wrench.torque.z(), expected.torque.z(), 2e-6 * expected.force.y() * kHalfOfTool);
   }
 }
 

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// What a hand means to do with a cube over the floor z = 0, at random: in each episode of three seconds it takes the
 /// cube by a face, an edge or a vertex downwards, taps with it three times, presses, slides while it presses, and lifts
@@ -87,4 +87,4 @@ class PressAndSlide {
   std::vector<Episode> episodes_;
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -16,13 +16,13 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kScene = TEGOTAE_SCENES "/paper-cube.xml";
+const std::string kProgramScene = TEGOTAE_SCENES "/paper-cube.xml";
 const std::string kMotion = "t,x,y,z,qw,qx,qy,qz\n5,0,0.11,0,1,0,0,0\n5.25,0,0.0996,0,1,0,0,0\n";
 
 std::vector<std::string> render_command(const std::string& trajectory, const std::string& out,
                                         const std::vector<std::string>& more = {}) {
-  std::vector<std::string> arguments = {"render",       "--scene",  kScene,  "--tool", "tool",
-                                        "--trajectory", trajectory, "--out", out};
+  std::vector<std::string> arguments = {"render",       "--scene",  kProgramScene, "--tool", "tool",
+                                        "--trajectory", trajectory, "--out",       out};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
@@ -199,7 +199,7 @@ TEST(ProgramRender, RefusesOptionsThatMakeNoSense) {
   expect_one_sentence(with("--tool-weight", "2"), 2, "--tool-weight takes 'on' or 'off'");
   expect_one_sentence(with("--clutch-button", "0.5"), 2, "a whole number");
   expect_one_sentence(with("--force-scale", "0"), 2, "permitted are");
-  expect_one_sentence(run_program({"render", "--scene", kScene}), 2, "required");
+  expect_one_sentence(run_program({"render", "--scene", kProgramScene}), 2, "required");
   expect_one_sentence(run_program({"render"}), 2, "see 'tegotae render --help'");
   expect_one_sentence(run_program({}), 2, "--help");
   expect_one_sentence(run_program({"rendr"}), 2, "there is no command 'rendr'; there are: experiment, serve, render");
@@ -211,7 +211,7 @@ TEST(ProgramRender, RefusesOptionsThatMakeNoSense) {
 TEST(ProgramRender, RefusesToReplaceWhatItReads) {
   const TemporaryFolder folder;
   const std::string motion = folder.write("motion.csv", kMotion),
-                    scene = folder.write("scene.xml", contents_of(kScene));
+                    scene = folder.write("scene.xml", contents_of(kProgramScene));
   std::filesystem::create_symlink(motion, folder.path() / "link.csv");
   const auto with = [&](const std::string& out) {
     return run_program({"render", "--scene", scene, "--tool", "tool", "--trajectory", motion, "--out", out});
@@ -220,7 +220,7 @@ TEST(ProgramRender, RefusesToReplaceWhatItReads) {
   expect_one_sentence(with((folder.path() / "link.csv").string()), 2, "is the file of --trajectory");
   expect_one_sentence(with(scene), 2, "is the file of --scene");
   EXPECT_EQ(contents_of(motion), kMotion);
-  EXPECT_EQ(contents_of(scene), contents_of(kScene));
+  EXPECT_EQ(contents_of(scene), contents_of(kProgramScene));
 }
 
 TEST(ProgramRender, TellsOfForcesCutToTheirLimit) {
@@ -283,7 +283,7 @@ TEST(ProgramRender, RefusesBadScenesAndTools) {
   expect_one_sentence(with((folder.path() / "none.xml").string(), "tool"), 1, "none.xml");
   expect_one_sentence(with(folder.write("cut.xml", "<mujoco><worldbody>"), "tool"), 1, "cut.xml");
   expect_one_sentence(with(folder.write("text.xml", "hello"), "tool"), 1, "text.xml");
-  expect_one_sentence(with(kScene, "hammer"), 1, "'hammer'");
+  expect_one_sentence(with(kProgramScene, "hammer"), 1, "'hammer'");
   const std::string newer = "<mujoco><option><flag nativeccd=\"enable\"/></option><worldbody/></mujoco>";
   expect_one_sentence(with(folder.write("newer.xml", newer), "tool"), 1, "newer.xml");
   const std::string jointed =

@@ -24,7 +24,7 @@ using ::testing::ThrowsMessage;
 namespace command = viewer_command;
 
 // Ten seconds from 100 s on, ten states a second; another scene from 105 s on.
-std::filesystem::path a_recording(const TemporaryFolder& folder) {
+std::filesystem::path a_recording_to_replay(const TemporaryFolder& folder) {
   auto file = folder.path() / "a.mcap";
   RecordingFile recording(file, {}, 0.0);
   recording.write_scene(100.0, R"({"type":"scene","mode":"live","name":"first"})");
@@ -54,7 +54,7 @@ Json shown(ReplaySession& replay) { return Json::parse(replay.state_message(2, 1
 
 TEST(ReplaySession, PlaysFromTheBeginningAndPausesAtTheEnd) {
   const TemporaryFolder folder;
-  ReplaySession replay(a_recording(folder));
+  ReplaySession replay(a_recording_to_replay(folder));
   EXPECT_NEAR(replay.duration(), 10.0, 1e-9);
   EXPECT_FALSE(replay.is_paused());
   EXPECT_EQ(shown(replay)["wrench"][2], 0);
@@ -67,7 +67,7 @@ TEST(ReplaySession, PlaysFromTheBeginningAndPausesAtTheEnd) {
 
 TEST(ReplaySession, StatesAreAsRecordedButForWhatIsOfNow) {
   const TemporaryFolder folder;
-  ReplaySession replay(a_recording(folder));
+  ReplaySession replay(a_recording_to_replay(folder));
   replay.advance(1.0);
   const Json state = shown(replay);
   EXPECT_EQ(state["type"], "state");
@@ -87,7 +87,7 @@ TEST(ReplaySession, StatesAreAsRecordedButForWhatIsOfNow) {
 
 TEST(ReplaySession, TheSceneSaysThatItIsAReplay) {
   const TemporaryFolder folder;
-  ReplaySession replay(a_recording(folder));
+  ReplaySession replay(a_recording_to_replay(folder));
   const Json scene = Json::parse(replay.scene_message());
   EXPECT_EQ(scene["mode"], "replay");
   EXPECT_EQ(scene["name"], "first");
@@ -98,7 +98,7 @@ TEST(ReplaySession, TheSceneSaysThatItIsAReplay) {
 
 TEST(ReplaySession, KnowsWhenTheSceneIsAnother) {
   const TemporaryFolder folder;
-  ReplaySession replay(a_recording(folder));
+  ReplaySession replay(a_recording_to_replay(folder));
   const int first = replay.scene_number(), settings = replay.settings_number();
   replay.advance(4.0);
   EXPECT_EQ(replay.scene_number(), first);
@@ -113,7 +113,7 @@ TEST(ReplaySession, KnowsWhenTheSceneIsAnother) {
 
 TEST(ReplaySession, ObeysPauseSeekSpeedAndReset) {
   const TemporaryFolder folder;
-  ReplaySession replay(a_recording(folder));
+  ReplaySession replay(a_recording_to_replay(folder));
   EXPECT_EQ(replay.obey(command::Pause{}), "");
   replay.advance(1.0);
   EXPECT_EQ(replay.time(), 0.0);
@@ -137,7 +137,7 @@ TEST(ReplaySession, ObeysPauseSeekSpeedAndReset) {
 
 TEST(ReplaySession, PlayAtTheEndBeginsAgain) {
   const TemporaryFolder folder;
-  ReplaySession replay(a_recording(folder));
+  ReplaySession replay(a_recording_to_replay(folder));
   for (const ViewerCommand& again : {ViewerCommand(command::Play{1.0}), ViewerCommand(command::Resume{})}) {
     replay.advance(100.0);
     ASSERT_TRUE(replay.is_paused());
@@ -149,7 +149,7 @@ TEST(ReplaySession, PlayAtTheEndBeginsAgain) {
 
 TEST(ReplaySession, RefusesWhatOnlyALiveRunCan) {
   const TemporaryFolder folder;
-  ReplaySession replay(a_recording(folder));
+  ReplaySession replay(a_recording_to_replay(folder));
   replay.advance(1.0);
   for (const ViewerCommand& wanted :
        {ViewerCommand(command::Hand{}), ViewerCommand(command::Set{"stiffness", 1.0}), ViewerCommand(command::Step{}),
@@ -161,7 +161,7 @@ TEST(ReplaySession, RefusesWhatOnlyALiveRunCan) {
 
 TEST(ReplaySession, TimeThatIsNoTimeDoesNothing) {
   const TemporaryFolder folder;
-  ReplaySession replay(a_recording(folder));
+  ReplaySession replay(a_recording_to_replay(folder));
   replay.advance(-1.0);
   replay.advance(std::nan(""));
   EXPECT_EQ(replay.time(), 0.0);

@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 using ::testing::HasSubstr;
 
 // Ten seconds, ten states a second; another scene from 5 s on, other settings from 8 s on.
-std::filesystem::path a_recording(const TemporaryFolder& folder) {
+std::filesystem::path a_recording_to_view(const TemporaryFolder& folder) {
   auto file = folder.path() / "a.mcap";
   RecordingFile recording(file, {}, 0.0);
   recording.write_scene(0.0, R"({"type":"scene","name":"first"})");
@@ -54,7 +54,7 @@ struct Sent {
 struct Replayed {
   TemporaryFolder folder;
   Sent sent;
-  ReplayView view{a_recording(folder), sent.output()};
+  ReplayView view{a_recording_to_view(folder), sent.output()};
 
   void join(ViewerId viewer) {
     ++sent.viewers;
@@ -156,7 +156,7 @@ TEST(ReplayView, DisconnectsWhoKeepsOnSendingNonsense) {
 
 TEST(ReplayView, OfACutRecordingWarns) {
   const TemporaryFolder folder;
-  const auto file = a_recording(folder);
+  const auto file = a_recording_to_view(folder);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   Sent sent;
   ReplayView view(file, sent.output());
@@ -180,7 +180,7 @@ TEST(ReplayView, RunsUntilItIsStopped) {
 TEST(ProgramReplay, EndsWellWhenItIsInterrupted) {
   const TemporaryFolder folder;
   const ProgramResult result =
-      run_program({"replay", a_recording(folder).string(), "--port", "0"}, "timeout --preserve-status -k 60 2");
+      run_program({"replay", a_recording_to_view(folder).string(), "--port", "0"}, "timeout --preserve-status -k 60 2");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, ::testing::AllOf(HasSubstr("a.mcap (10.0 s) at http://127.0.0.1:"), HasSubstr("stopped")));
   EXPECT_EQ(result.err, "");

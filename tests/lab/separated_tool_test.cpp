@@ -15,10 +15,10 @@
 namespace tegotae {
 namespace {
 
-constexpr double kStiffness = 2000.0, kLength = 0.02;
+constexpr double kToolStiffness = 2000.0, kLength = 0.02;
 
 SeparatedTool::Parameters parameters() {
-  return {.stiffness = kStiffness, .metric_length = kLength, .skin = kThinSkin};
+  return {.stiffness = kToolStiffness, .metric_length = kLength, .skin = kThinSkin};
 }
 
 // The non-negative x of least |A x - b| (Lawson and Hanson 1974, chapter 23): returns the least norm.
@@ -185,7 +185,7 @@ TEST(SeparatedTool, MovesAboutItsCentreOfMass) {
   const double lever = 0.08;  // from the centre of mass to the rod's end
   const Wrench wrench = tool.wrench();
   EXPECT_NEAR(wrench.torque.y(), -wrench.force.z() * lever, 1e-3 * wrench.force.z() * lever);
-  const double force = kStiffness * (depth + kThinSkin) / (1.0 + lever * lever / (kLength * kLength));
+  const double force = kToolStiffness * (depth + kThinSkin) / (1.0 + lever * lever / (kLength * kLength));
   EXPECT_NEAR(wrench.force.z(), force, 1e-3 * force);
 }
 

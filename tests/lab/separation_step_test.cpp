@@ -3,18 +3,14 @@
 
 #include <tegotae/lab/separation_step.hpp>
 
+#include <tests/lab/placed_core.hpp>
+
 #include <gtest/gtest.h>
 
 namespace tegotae {
 namespace {
 
-constexpr double kLength = 0.02;
-
-ConvexCore core_at(const Shape& shape, const Pose& X_WB) {
-  ConvexCore placed;
-  place(core_of(shape), X_WB, placed);
-  return placed;
-}
+constexpr double kStepLength = 0.02;
 
 struct BoxOverFloor {
   ConvexCore box, floor;
@@ -23,12 +19,12 @@ struct BoxOverFloor {
 
   // A box of 40 mm whose lower face is `height` over the floor, its frame `aside` of a pillar 20 mm wide.
   BoxOverFloor(double height, double aside)
-      : box(core_at(make_box(Vector3::Constant(0.02)), placed_at(aside, 0, 0.02 + height))),
-        floor(core_at(make_box({0.01, 0.1, 0.1}, placed_at(0, 0, -0.1)), Pose{})) {
+      : box(test::placed_core(make_box(Vector3::Constant(0.02)), placed_at(aside, 0, 0.02 + height))),
+        floor(test::placed_core(make_box({0.01, 0.1, 0.1}, placed_at(0, 0, -0.1)), Pose{})) {
     pair.above = &box;
     pair.below = &floor;
     input = {.centre_W = {aside, 0.0, 0.02 + height},
-             .metric_length = kLength,
+             .metric_length = kStepLength,
              .tool_radius = 0.035,
              .skin = kThinSkin,
              .trust = 1e-4};
@@ -64,9 +60,9 @@ TEST(SeparationStep, FaceOverAPillarTurnsAboutItsEdgeAndThePlaneWithIt) {
   scene.input.to_hand << 0.0, 0.0, -2e-5, 0.0, 0.0, 0.0;
   const SeparationStep step = separation_step(scene.input, {&scene.pair, 1});
   ASSERT_TRUE(step.converged);
-  const double load = 2e-5 / (1.0 + lever * lever / (kLength * kLength));
+  const double load = 2e-5 / (1.0 + lever * lever / (kStepLength * kStepLength));
   EXPECT_NEAR(scene.pair.load, load, 1e-4 * load);
-  const double turn = load * lever / (kLength * kLength);
+  const double turn = load * lever / (kStepLength * kStepLength);
   EXPECT_NEAR(step.move[4], turn, 1e-3 * turn);
   EXPECT_NEAR(scene.pair.n.x(), turn, 1e-3 * turn);
 }

@@ -14,14 +14,14 @@ namespace {
 
 using testing::HasSubstr;
 
-Trajectory read(const std::string& text) {
+Trajectory read_motion(const std::string& text) {
   std::istringstream stream(text);
   return read_trajectory(stream, "motion.csv");
 }
 
 std::string error_of(const std::string& text) {
   try {
-    read(text);
+    read_motion(text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -31,7 +31,7 @@ std::string error_of(const std::string& text) {
 constexpr const char* kHeader = "t,x,y,z,qw,qx,qy,qz\n";
 
 TEST(TrajectoryFile, ReadsPosesInOrderOfTime) {
-  const Trajectory motion = read(std::string(kHeader) + "0.5,1,2,3,1,0,0,0\n1.5,-1,2e-3,+3,0,1,0,0\n");
+  const Trajectory motion = read_motion(std::string(kHeader) + "0.5,1,2,3,1,0,0,0\n1.5,-1,2e-3,+3,0,1,0,0\n");
   ASSERT_EQ(motion.samples().size(), 2U);
   EXPECT_EQ(motion.start(), 0.5);
   EXPECT_EQ(motion.end(), 1.5);
@@ -41,7 +41,7 @@ TEST(TrajectoryFile, ReadsPosesInOrderOfTime) {
 
 TEST(TrajectoryFile, TakesColumnsInAnyOrderAndIgnoresOthers) {
   const Trajectory motion =
-      read("# recorded by hand\n\nnote, qz,qy,qx,qw ,z,y,x,t\r\n# in between\nhello,0,0,0,1,3,2,1,7\r\n\n");
+      read_motion("# recorded by hand\n\nnote, qz,qy,qx,qw ,z,y,x,t\r\n# in between\nhello,0,0,0,1,3,2,1,7\r\n\n");
   ASSERT_EQ(motion.samples().size(), 1U);
   EXPECT_EQ(motion.start(), 7.0);
   EXPECT_EQ(motion.samples()[0].X_WT.p, Vector3(1.0, 2.0, 3.0));
@@ -49,11 +49,11 @@ TEST(TrajectoryFile, TakesColumnsInAnyOrderAndIgnoresOthers) {
 }
 
 TEST(TrajectoryFile, IgnoresAByteOrderMark) {
-  EXPECT_EQ(read("\xEF\xBB\xBF" + std::string(kHeader) + "0,0,0,0,1,0,0,0\n").samples().size(), 1U);
+  EXPECT_EQ(read_motion("\xEF\xBB\xBF" + std::string(kHeader) + "0,0,0,0,1,0,0,0\n").samples().size(), 1U);
 }
 
 TEST(TrajectoryFile, NormalisesRoundedQuaternions) {
-  const Trajectory motion = read(std::string(kHeader) + "0,0,0,0,0.924,0,0,0.383\n");
+  const Trajectory motion = read_motion(std::string(kHeader) + "0,0,0,0,0.924,0,0,0.383\n");
   EXPECT_NEAR(motion.samples()[0].X_WT.q.norm(), 1.0, 1e-15);
   EXPECT_NEAR(motion.samples()[0].X_WT.q.z() / motion.samples()[0].X_WT.q.w(), 0.383 / 0.924, 1e-15);
 }

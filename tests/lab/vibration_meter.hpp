@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// What a velocity (six components, m/s) has above 20 Hz, where no hand moves of its own will: Butterworth high-pass of
 /// second order. Root mean square over all that counts, and of the worst stretch that counts without a break.
@@ -55,4 +55,4 @@ class VibrationMeter {
   double worst_ = 0.0;
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -11,7 +11,7 @@
 #include <array>
 #include <map>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 using Distances = std::map<std::array<int, 3>, double>;
@@ -96,4 +96,4 @@ TEST(NearObjectSearch, OfBodiesOfManyPiecesThePairsAreThoseOfALookAtAll) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

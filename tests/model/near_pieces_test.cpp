@@ -27,7 +27,7 @@ TEST(NearPieces, EachMovingBodyIsNamedOnce) {
   states[2].V_WB.linear = Vector3(0.1, 0.0, 0.0);
   const std::vector<NearPair> pairs{{0, 3, 0, 0.1}, {0, 0, 5, 0.2}, {1, 3, 2, 0.3}, {0, 1, 0, 0.4}};
   const auto model = std::make_unique<IntermediateRepresentation>();
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   name_near_pieces(scene, pairs, states, *model);
   EXPECT_EQ(counter.count(), 0u);
   ASSERT_EQ(model->pair_count, 4);

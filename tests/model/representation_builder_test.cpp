@@ -30,7 +30,7 @@ struct Chain {
 Pose cube_at(double height, double tilt = 0.0) { return {{0.0, height, 0.0}, rotation_from_vector({0.0, 0.0, tilt})}; }
 
 TEST(RepresentationBuilder, AFaceOverTheFloorBecomesAPlaneAndFourPoints) {
-  Chain chain(testing::cube_over_floor());
+  Chain chain(test::cube_over_floor());
   const auto& model = chain.build(cube_at(0.101), {0.002, 0.0, 0.0});
   ASSERT_EQ(model.plane_count, 1);
   EXPECT_LT((model.planes[0].n_W.vector() - Vector3::UnitY()).norm(), 1e-12);
@@ -45,13 +45,13 @@ TEST(RepresentationBuilder, AFaceOverTheFloorBecomesAPlaneAndFourPoints) {
 }
 
 TEST(RepresentationBuilder, BeyondReachThereIsNothing) {
-  Chain chain(testing::cube_over_floor());
+  Chain chain(test::cube_over_floor());
   EXPECT_EQ(chain.build(cube_at(0.103), {0.002, 0.0, 0.0}).plane_count, 0);
   EXPECT_EQ(chain.build(cube_at(0.103), {0.002, 0.1, 0.02}).plane_count, 1) << "0.1 s at 0.02 m/s is another 2 mm";
 }
 
 TEST(RepresentationBuilder, PenetratingOrNotThePointsAreThoseWithinReachAndNoneLiesOnTheObjectsPlane) {
-  Chain chain(testing::cube_over_floor());
+  Chain chain(test::cube_over_floor());
   for (const double depth : {-0.001, 0.0, 1e-7, 0.002, 0.02}) {
     for (const double tilt : {0.0, 0.001, 0.3, 0.78}) {
       const double height = 0.1 * (std::cos(tilt) + std::sin(tilt)) - depth;
@@ -71,7 +71,7 @@ TEST(RepresentationBuilder, PenetratingOrNotThePointsAreThoseWithinReachAndNoneL
 }
 
 TEST(RepresentationBuilder, AnOverhangingToolTouchesAtTheObjectsCorners) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies[0].pieces = {make_box(Vector3(0.03, 0.1, 0.02))};
   Chain chain(std::move(scene));
   const auto& model = chain.build(cube_at(0.0995), {0.004, 0.0, 0.0});
@@ -84,7 +84,7 @@ TEST(RepresentationBuilder, AnOverhangingToolTouchesAtTheObjectsCorners) {
 }
 
 TEST(RepresentationBuilder, CurvedPiecesTouchAtTheirClosestPoint) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.tool.pieces = {make_sphere(0.05)};
   scene.bodies[0].pieces = {make_plane({{0.0, 0.1, 0.0}, rotation_from_vector({-1.5707963267948966, 0.0, 0.0})})};
   Chain chain(std::move(scene));
@@ -102,7 +102,7 @@ TEST(RepresentationBuilder, CurvedPiecesTouchAtTheirClosestPoint) {
 }
 
 TEST(RepresentationBuilder, TheNormalStaysWhereAThinPlateIsPressedPastItsMiddle) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies[0].pieces = {make_box(Vector3(0.5, 0.005, 0.5))};
   scene.bodies[0].X_WB.p = Vector3(0.0, -0.005, 0.0);
   Chain chain(std::move(scene));
@@ -117,7 +117,7 @@ TEST(RepresentationBuilder, TheNormalStaysWhereAThinPlateIsPressedPastItsMiddle)
 }
 
 TEST(RepresentationBuilder, MovingBodiesCarryTheirCentreOfMassAndWidenTheReachByTheirSpeed) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies[0].moving_index = 0;
   scene.bodies[0].p_BC = Vector3(0.0, 0.01, 0.0);
   scene.moving_count = 1;
@@ -133,7 +133,7 @@ TEST(RepresentationBuilder, MovingBodiesCarryTheirCentreOfMassAndWidenTheReachBy
 }
 
 TEST(RepresentationBuilder, TheScenesFilterKeepsPiecesApart) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.tool.pieces[0].contact_type = 2;
   scene.tool.pieces[0].contact_affinity = 2;
   Chain chain(std::move(scene));
@@ -141,7 +141,7 @@ TEST(RepresentationBuilder, TheScenesFilterKeepsPiecesApart) {
 }
 
 TEST(RepresentationBuilder, BeyondTheCapacityTheNearestStayAndTheRestIsCounted) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies.clear();
   for (int i = 0; i < 100; ++i) {
     Body pillar;
@@ -161,7 +161,7 @@ TEST(RepresentationBuilder, BeyondTheCapacityTheNearestStayAndTheRestIsCounted) 
 // Six balls of many stand-in vertices on one floor: each plane keeps a part of the capacity, and in it its lowest
 // point.
 TEST(RepresentationBuilder, NoPlaneIsLeftWithoutItsLowestPoint) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.tool.pieces.clear();
   for (int i = 0; i < 6; ++i) {
     scene.tool.pieces.push_back(make_sphere(0.02, {Vector3(0.05 * i, 0.0, 0.0), Quaternion::Identity()}));
@@ -179,7 +179,7 @@ TEST(RepresentationBuilder, NoPlaneIsLeftWithoutItsLowestPoint) {
 }
 
 TEST(NearObjectSearch, ABodyOfNonFiniteVelocityIsStillFound) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies[0].moving_index = 0;
   Chain chain(std::move(scene));
   BodyState body{{{0.0, -0.1, 0.0}, Quaternion::Identity()}, {}};
@@ -188,7 +188,7 @@ TEST(NearObjectSearch, ABodyOfNonFiniteVelocityIsStillFound) {
 }
 
 TEST(NearObjectSearch, NonFiniteToolPoseFindsNothing) {
-  Chain chain(testing::cube_over_floor());
+  Chain chain(test::cube_over_floor());
   EXPECT_EQ(chain.build({{0.0, std::nan(""), 0.0}, Quaternion::Identity()}, {0.002, 0.0, 0.0}).plane_count, 0);
 }
 

@@ -117,7 +117,7 @@ TEST(RepresentationInterpolator, WorksAtFullCapacityWithoutAllocating) {
   auto b = std::make_unique<IntermediateRepresentation>(*a);
   for (auto& point : b->points) point.p_T = Vector3(1.0, 1.0, 1.0);
   auto interpolator = std::make_unique<RepresentationInterpolator>();
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   interpolator->accept(*a);
   interpolator->accept(*b);
   for (const ContactPoint& point : interpolator->at(0.5).points) EXPECT_EQ(point.p_T.y, 0.5);

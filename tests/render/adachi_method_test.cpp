@@ -11,25 +11,25 @@
 namespace tegotae {
 namespace {
 
-using testing::cube_on_floor;
-using testing::cube_pose;
-using testing::height_for;
-using testing::kHalfEdge;
-using testing::kTick;
+using test::cube_on_floor;
+using test::cube_pose;
+using test::height_for;
+using test::kHalfEdge;
+using test::kTick;
 
-constexpr double kStiffness = 9000.0;
+constexpr double kPlaneStiffness = 9000.0;
 
-AdachiMethod method(double damping = 0.0) { return {{kStiffness, damping, 1.0}, Vector3::Zero()}; }
+AdachiMethod adachi_method(double damping = 0.0) { return {{kPlaneStiffness, damping, 1.0}, Vector3::Zero()}; }
 
 TEST(AdachiMethod, TheDeepestPointIsPushedOutWithoutTorque) {
   const auto model = cube_on_floor();
   RenderOutput output;
   for (const double angle : {0.0, 0.1, -0.3, 0.7}) {
-    AdachiMethod adachi = method();
+    AdachiMethod adachi = adachi_method();
     const Pose X_WT = cube_pose(angle, height_for(angle, 0.5e-3));
     adachi.render({*model, X_WT, kTick}, output);
     EXPECT_EQ(output.status, RenderStatus::kOk);
-    EXPECT_NEAR(output.wrench.force.y(), kStiffness * 0.5e-3, 1e-9) << angle;
+    EXPECT_NEAR(output.wrench.force.y(), kPlaneStiffness * 0.5e-3, 1e-9) << angle;
     EXPECT_EQ(output.wrench.force.x(), 0.0);
     EXPECT_EQ(output.wrench.torque.norm(), 0.0) << "three degrees of freedom";
     EXPECT_NEAR(output.deepest, 0.5e-3, 1e-12);
@@ -39,37 +39,37 @@ TEST(AdachiMethod, TheDeepestPointIsPushedOutWithoutTorque) {
 
 TEST(AdachiMethod, PointAndPlaneAreKeptUntilTheNextModel) {
   auto model = cube_on_floor();
-  AdachiMethod adachi = method();
+  AdachiMethod adachi = adachi_method();
   RenderOutput output;
   // Turned one way the corner at +x is chosen; turned the other way it is out, though its neighbour is deep.
   const double angle = 0.01;
   adachi.render({*model, cube_pose(-angle, height_for(angle, 1e-4)), kTick}, output);
-  EXPECT_NEAR(output.wrench.force.y(), kStiffness * 1e-4, 1e-9);
+  EXPECT_NEAR(output.wrench.force.y(), kPlaneStiffness * 1e-4, 1e-9);
   adachi.render({*model, cube_pose(angle, height_for(angle, 1e-4)), kTick}, output);
   EXPECT_EQ(output.wrench.force.norm(), 0.0);
   EXPECT_NEAR(output.deepest, 1e-4, 1e-12);
   model->sequence = 2;
   adachi.render({*model, cube_pose(angle, height_for(angle, 1e-4)), kTick}, output);
-  EXPECT_NEAR(output.wrench.force.y(), kStiffness * 1e-4, 1e-9);
+  EXPECT_NEAR(output.wrench.force.y(), kPlaneStiffness * 1e-4, 1e-9);
 }
 
 TEST(AdachiMethod, OnlyTheNearestPlaneIsFelt) {
-  const auto model = testing::cube_in_a_corner();
+  const auto model = test::cube_in_a_corner();
   const Pose X_WT{{-2e-4, kHalfEdge - 1e-4, 0.0}, Quaternion::Identity()};
   RenderOutput output;
   for (const int nearest : {0, 1}) {
     model->planes[0].distance = nearest == 0 ? -2e-4 : -1e-4;
     model->planes[1].distance = nearest == 1 ? -2e-4 : -1e-4;
-    AdachiMethod adachi = method();
+    AdachiMethod adachi = adachi_method();
     adachi.render({*model, X_WT, kTick}, output);
-    EXPECT_NEAR(output.wrench.force.x(), nearest == 1 ? kStiffness * 2e-4 : 0.0, 1e-9);
-    EXPECT_NEAR(output.wrench.force.y(), nearest == 0 ? kStiffness * 1e-4 : 0.0, 1e-9);
+    EXPECT_NEAR(output.wrench.force.x(), nearest == 1 ? kPlaneStiffness * 2e-4 : 0.0, 1e-9);
+    EXPECT_NEAR(output.wrench.force.y(), nearest == 0 ? kPlaneStiffness * 1e-4 : 0.0, 1e-9);
   }
 }
 
 TEST(AdachiMethod, TheForceIsContinuousWhileThePlaneIsHeld) {
   const auto model = cube_on_floor();
-  AdachiMethod adachi = method();
+  AdachiMethod adachi = adachi_method();
   RenderOutput output;
   double last = 0.0, most = 0.0;
   for (int i = 0; i < 2000; ++i) {
@@ -79,12 +79,12 @@ TEST(AdachiMethod, TheForceIsContinuousWhileThePlaneIsHeld) {
     last = output.wrench.force.y();
   }
   EXPECT_GT(last, 10.0);
-  EXPECT_LT(most, 1.001 * kStiffness * 1e-6);
+  EXPECT_LT(most, 1.001 * kPlaneStiffness * 1e-6);
 }
 
 TEST(AdachiMethod, TheDamperResistsTheWayInAndNeverPulls) {
   const auto model = cube_on_floor();
-  AdachiMethod adachi = method(10.0);
+  AdachiMethod adachi = adachi_method(10.0);
   RenderOutput output;
   const auto force_at = [&](double depth) {
     adachi.render({*model, cube_pose(0.0, kHalfEdge - depth), kTick}, output);
@@ -101,12 +101,12 @@ TEST(AdachiMethod, AMovingBodyIsGivenTheOpposite) {
   const auto model = cube_on_floor();
   model->planes[0].moving_index = 2;
   model->planes[0].p_WC = Vector3(0.3, -0.1, 0.0);
-  AdachiMethod adachi = method();
+  AdachiMethod adachi = adachi_method();
   RenderOutput output;
   const Pose X_WT = cube_pose(0.2, height_for(0.2, 1e-3));
   adachi.render({*model, X_WT, kTick}, output);
   ASSERT_EQ(output.bodies.moving().size(), 1u);
-  const Wrench sum = testing::sum_on_bodies(output, X_WT.p) + output.wrench;
+  const Wrench sum = test::sum_on_bodies(output, X_WT.p) + output.wrench;
   EXPECT_LT(sum.force.norm(), 1e-12);
   EXPECT_LT(sum.torque.norm(), 1e-12);
 }
@@ -114,7 +114,7 @@ TEST(AdachiMethod, AMovingBodyIsGivenTheOpposite) {
 TEST(AdachiMethod, WithoutModelPlaneOrFiniteInputThereIsNoForce) {
   const auto empty = std::make_unique<IntermediateRepresentation>();
   const auto model = cube_on_floor();
-  AdachiMethod adachi = method();
+  AdachiMethod adachi = adachi_method();
   RenderOutput output;
   adachi.render({*empty, cube_pose(0.0, 0.0), kTick}, output);
   EXPECT_EQ(output.status, RenderStatus::kNoModel);
@@ -134,9 +134,9 @@ TEST(AdachiMethod, WithoutModelPlaneOrFiniteInputThereIsNoForce) {
 
 TEST(AdachiMethod, RenderingAllocatesNothing) {
   const auto model = cube_on_floor();
-  AdachiMethod adachi = method(1.0);
+  AdachiMethod adachi = adachi_method(1.0);
   RenderOutput output;
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int i = 0; i < 100; ++i) {
     model->sequence = 1 + static_cast<std::uint64_t>(i) / 10;
     adachi.render({*model, cube_pose(0.01 * i, 0.0995), kTick}, output);

@@ -125,7 +125,7 @@ TEST_F(ConstraintSolverTest, WarmStartNeedsFewIterations) {
 TEST_F(ConstraintSolverTest, AllocatesNothing) {
   test::RandomProblems random(4);
   for (const double c : {0.0, kCompliance}) {
-    const testing::AllocationCounter counter;
+    const test::AllocationCounter counter;
     random.fill_feasible(problem, 500, c);
     for (int f = 0; f < 20; ++f) {
       FrictionBlock<6> block;
@@ -139,7 +139,7 @@ TEST_F(ConstraintSolverTest, AllocatesNothing) {
     EXPECT_GT(solution.newton_iterations, 0);
     EXPECT_EQ(counter.count(), 0u);
   }
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   const auto one = std::make_unique<double>(1.0);
   EXPECT_GE(counter.count(), *one) << "the counter counts";
 }

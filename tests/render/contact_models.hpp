@@ -10,7 +10,7 @@
 #include <memory>
 
 // Models that the tests of the methods render from.
-namespace tegotae::testing {
+namespace tegotae::test {
 
 inline constexpr double kHalfEdge = 0.1;  // m, of the paper's cube
 inline constexpr double kTick = 1e-3;     // s
@@ -70,4 +70,4 @@ inline Wrench sum_on_bodies(const RenderOutput& output, const Vector3& centre_W)
   return sum;
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -63,7 +63,7 @@ TEST(ContactPatch, AllocatesNothingAndLeavesOutWhatIsTooMuch) {
   for (size_t i = 0; i < points.size(); ++i) {
     points[i] = Vector2(std::cos(static_cast<double>(i)), std::sin(static_cast<double>(i)));
   }
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   EXPECT_NEAR(mean_distance(points, Vector2::Zero()), 2.0 / 3.0, 0.01);
   EXPECT_EQ(counter.count(), 0u);
 }

@@ -11,10 +11,10 @@
 namespace tegotae {
 namespace {
 
-using testing::kHalfEdge;
+using test::kHalfEdge;
 
 TEST(ContactRows, EveryPointIsVisitedAgainstItsOwnPlane) {
-  const auto model = testing::cube_in_a_corner();
+  const auto model = test::cube_in_a_corner();
   std::vector<PointOnPlane> visited;
   const Pose X_WT{{-0.01, kHalfEdge - 0.002, 0.0}, Quaternion::Identity()};
   visit_contact_points(*model, X_WT, [&](const PointOnPlane& contact) { visited.push_back(contact); });
@@ -48,7 +48,7 @@ TEST(ContactRows, RowsBeyondTheProblemsCapacityAreDropped) {
   ConstraintProblem<6> problem(4, 0);
   problem.set_objective(Matrix6::Identity(), Vector6::Zero());
   ContactRows rows;
-  const auto model = testing::cube_on_floor();
+  const auto model = test::cube_on_floor();
   visit_contact_points(*model, Pose{}, [&](const PointOnPlane& contact) {
     rows.add(contact, normal_row(contact, Vector3::Zero()), contact.depth, 1e-3, problem);
   });
@@ -59,7 +59,7 @@ TEST(ContactRows, RowsBeyondTheProblemsCapacityAreDropped) {
 }
 
 TEST(ContactRows, BeginningClearsWhatTheLastTickLeft) {
-  const auto model = testing::cube_on_floor();
+  const auto model = test::cube_on_floor();
   RenderOutput output;
   output.wrench.force = Vector3::Ones();
   output.bodies.add(model->planes[0], Vector3::Zero(), Vector3::Ones());

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 Shape random_shape(std::mt19937_64& random, int kind) {
@@ -96,4 +96,4 @@ TEST(Facing, AHalfSpaceIsSupportedByItsOwnPlane) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

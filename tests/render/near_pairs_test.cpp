@@ -11,7 +11,7 @@
 #include <map>
 #include <memory>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 // A tool of three pieces, a static body and two moving ones of five pieces each, all in a space of 0.2 m.
@@ -153,4 +153,4 @@ TEST_F(NearPairsTest, FormerPairsAreFoundAgainAndNothingAllocates) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

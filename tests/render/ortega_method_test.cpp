@@ -13,17 +13,19 @@
 namespace tegotae {
 namespace {
 
-using testing::cube_on_floor;
-using testing::cube_pose;
-using testing::height_for;
-using testing::kGyration;
-using testing::kHalfEdge;
-using testing::kTick;
-using testing::points_on_floor;
+using test::cube_on_floor;
+using test::cube_pose;
+using test::height_for;
+using test::kGyration;
+using test::kHalfEdge;
+using test::kTick;
+using test::points_on_floor;
 
-constexpr double kStiffness = 9000.0;
+constexpr double kGodObjectStiffness = 9000.0;
 
-OrtegaMethod method(double damping = 0.0) { return {{kStiffness, damping, kGyration}, testing::cube_mass()}; }
+OrtegaMethod ortega_method(double damping = 0.0) {
+  return {{kGodObjectStiffness, damping, kGyration}, test::cube_mass()};
+}
 
 // The god-object starts above the floor, then the interface goes to `X_WT` and stays.
 RenderOutput settled(OrtegaMethod& ortega, const IntermediateRepresentation& model, const Pose& X_WT) {
@@ -41,10 +43,10 @@ TEST(OrtegaMethod, AnEdgeIsFeltAsTheClosedFormSays) {
   const double depth = 1e-4;
   for (int i = 1; i <= 15; ++i) {
     const double angle = 0.05 * i;
-    OrtegaMethod ortega = method();
+    OrtegaMethod ortega = ortega_method();
     const RenderOutput output = settled(ortega, *model, cube_pose(angle, height_for(angle, depth)));
     const double lever = kHalfEdge * (std::cos(angle) - std::sin(angle));
-    const double force = kStiffness * depth / (1.0 + lever * lever / (kGyration * kGyration));
+    const double force = kGodObjectStiffness * depth / (1.0 + lever * lever / (kGyration * kGyration));
     EXPECT_NEAR(output.wrench.force.y(), force, 2e-3 * force) << angle << ": to first order of the depth";
     EXPECT_NEAR(output.wrench.torque.z(), -lever * force, 2e-3 * force * kHalfEdge) << angle;
     EXPECT_NEAR(output.deepest, depth, 1e-12);
@@ -53,9 +55,9 @@ TEST(OrtegaMethod, AnEdgeIsFeltAsTheClosedFormSays) {
 
 TEST(OrtegaMethod, AtRestItIsTheLeastDisplacementInTheKineticMetric) {
   const auto expect_alike = [](const IntermediateRepresentation& model, const Pose& X_WT) {
-    OrtegaMethod ortega = method();
+    OrtegaMethod ortega = ortega_method();
     const RenderOutput output = settled(ortega, model, X_WT);
-    PaperMethod paper({{kStiffness, 0.0, kGyration}, ConstraintSet::kNearPoints}, Vector3::Zero());
+    PaperMethod paper({{kGodObjectStiffness, 0.0, kGyration}, ConstraintSet::kNearPoints}, Vector3::Zero());
     RenderOutput expected;
     paper.render({model, X_WT, kTick}, expected);
     // The paper is linear about the interface's pose, the god-object about its own.
@@ -69,7 +71,7 @@ TEST(OrtegaMethod, AtRestItIsTheLeastDisplacementInTheKineticMetric) {
   }
   for (const double angle : {0.0, 1e-4, 5e-4}) {
     const Pose X_WT{{-1e-5, height_for(angle, 2e-5), 0.0}, rotation_from_vector({0.0, 0.0, angle})};
-    expect_alike(*testing::cube_in_a_corner(), X_WT);
+    expect_alike(*test::cube_in_a_corner(), X_WT);
   }
 }
 
@@ -80,11 +82,11 @@ TEST(OrtegaMethod, TheInertiaOfTheToolDecidesWhatALeverArmCosts) {
   const double depth = 1e-5;
   const auto felt_at = [&](const Vector3& p_T) {
     const auto model = points_on_floor({p_T});
-    OrtegaMethod ortega({kStiffness, 0.0, length}, stick);
+    OrtegaMethod ortega({kGodObjectStiffness, 0.0, length}, stick);
     return settled(ortega, *model, {{0.0, 0.01 - depth, 0.0}, Quaternion::Identity()}).wrench.force.y();
   };
   const auto closed_form = [&](double lever, double inertia) {
-    return kStiffness * depth / (1.0 + lever * lever * stick.mass / inertia);
+    return kGodObjectStiffness * depth / (1.0 + lever * lever * stick.mass / inertia);
   };
   const double about_z = closed_form(0.1, stick.inertia(2, 2)), about_x = closed_form(0.01, stick.inertia(0, 0));
   EXPECT_NEAR(felt_at({0.1, -0.01, 0.0}), about_z, 1e-3 * about_z);
@@ -93,7 +95,7 @@ TEST(OrtegaMethod, TheInertiaOfTheToolDecidesWhatALeverArmCosts) {
 
 TEST(OrtegaMethod, PressedFlatThereIsNoTorqueAndTheForceIsTheSpring) {
   const auto model = cube_on_floor();
-  OrtegaMethod ortega = method();
+  OrtegaMethod ortega = ortega_method();
   const RenderOutput output = settled(ortega, *model, cube_pose(0.0, kHalfEdge - 1e-3));
   EXPECT_NEAR(output.wrench.force.y(), 9.0, 9.0 * 1e-4);
   EXPECT_LT(output.wrench.torque.norm(), 1e-9);
@@ -101,8 +103,8 @@ TEST(OrtegaMethod, PressedFlatThereIsNoTorqueAndTheForceIsTheSpring) {
 }
 
 TEST(OrtegaMethod, TheGodObjectKeepsOutHoweverTheHandMoves) {
-  const auto model = testing::cube_in_a_corner();
-  OrtegaMethod ortega = method();
+  const auto model = test::cube_in_a_corner();
+  OrtegaMethod ortega = ortega_method();
   RenderOutput output;
   double deepest_hand = 0.0;
   for (int i = 0; i < 5000; ++i) {
@@ -120,7 +122,7 @@ TEST(OrtegaMethod, TheGodObjectKeepsOutHoweverTheHandMoves) {
 
 TEST(OrtegaMethod, ItSlidesWithoutFriction) {
   const auto model = cube_on_floor();
-  OrtegaMethod ortega = method();
+  OrtegaMethod ortega = ortega_method();
   RenderOutput output;
   for (int i = -1; i < 200; ++i) {
     const Vector3 p_W(i < 0 ? 0.0 : 1e-4 * i, kHalfEdge + (i < 0 ? 1e-3 : -1e-3), i < 0 ? 0.0 : -5e-5 * i);
@@ -134,7 +136,7 @@ TEST(OrtegaMethod, ItSlidesWithoutFriction) {
 
 TEST(OrtegaMethod, TheWrenchIsContinuousWhereTheNumberOfContactsChanges) {
   const auto model = cube_on_floor();
-  OrtegaMethod ortega = method();
+  OrtegaMethod ortega = ortega_method();
   RenderOutput output;
   double last = settled(ortega, *model, cube_pose(-2e-3, kHalfEdge - 3e-4)).wrench.force.y();
   for (int i = 1; i <= 2000; ++i) {
@@ -147,7 +149,7 @@ TEST(OrtegaMethod, TheWrenchIsContinuousWhereTheNumberOfContactsChanges) {
 
 TEST(OrtegaMethod, TheDamperActsOnTheChangeOfTheStretchOnly) {
   const auto model = cube_on_floor();
-  OrtegaMethod ortega = method(10.0);
+  OrtegaMethod ortega = ortega_method(10.0);
   RenderOutput output;
   ortega.render({*model, cube_pose(0.0, kHalfEdge), kTick}, output);
   ortega.render({*model, cube_pose(0.0, kHalfEdge - 1e-3), kTick}, output);
@@ -157,16 +159,16 @@ TEST(OrtegaMethod, TheDamperActsOnTheChangeOfTheStretchOnly) {
 }
 
 TEST(OrtegaMethod, MovingBodiesAreGivenTheOpposite) {
-  const auto model = testing::cube_in_a_corner();
+  const auto model = test::cube_in_a_corner();
   model->planes[0].moving_index = 0;
   model->planes[0].p_WC = Vector3(0.3, -0.1, 0.0);
   model->planes[1].moving_index = 1;
   model->planes[1].p_WC = Vector3(-0.2, 0.1, 0.1);
-  OrtegaMethod ortega = method();
+  OrtegaMethod ortega = ortega_method();
   const Pose X_WT{{-2e-4, kHalfEdge - 1e-4, 0.0}, rotation_from_vector({0.0, 0.0, 1e-3})};
   const RenderOutput output = settled(ortega, *model, X_WT);
   ASSERT_EQ(output.bodies.moving().size(), 2u);
-  const Wrench sum = testing::sum_on_bodies(output, output.X_WP.p) + output.wrench;
+  const Wrench sum = test::sum_on_bodies(output, output.X_WP.p) + output.wrench;
   EXPECT_GT(output.wrench.force.norm(), 1.0);
   EXPECT_LT(sum.force.norm(), 1e-8);
   EXPECT_LT(sum.torque.norm(), 1e-8);
@@ -174,18 +176,18 @@ TEST(OrtegaMethod, MovingBodiesAreGivenTheOpposite) {
 
 TEST(OrtegaMethod, APlaneThatComesUpCarriesTheGodObject) {
   const auto model = cube_on_floor();
-  OrtegaMethod ortega = method();
+  OrtegaMethod ortega = ortega_method();
   RenderOutput output = settled(ortega, *model, cube_pose(0.0, kHalfEdge - 1e-3));
   for (int i = 1; i <= 10; ++i) {
     model->planes[0].p_W = Vector3(0.0, 1e-4 * i, 0.0);
     ortega.render({*model, cube_pose(0.0, kHalfEdge - 1e-3), kTick}, output);
-    EXPECT_NEAR(output.wrench.force.y(), kStiffness * (1e-3 + 1e-4 * i), 1e-3);
+    EXPECT_NEAR(output.wrench.force.y(), kGodObjectStiffness * (1e-3 + 1e-4 * i), 1e-3);
   }
 }
 
 TEST(OrtegaMethod, ResettingForgetsTheGodObject) {
   const auto model = cube_on_floor();
-  OrtegaMethod ortega = method(), fresh = method();
+  OrtegaMethod ortega = ortega_method(), fresh = ortega_method();
   RenderOutput output, expected;
   settled(ortega, *model, cube_pose(0.3, height_for(0.3, 1e-3)));
   ortega.reset();
@@ -198,7 +200,7 @@ TEST(OrtegaMethod, ResettingForgetsTheGodObject) {
 TEST(OrtegaMethod, InvalidInputGivesNoForceAndIsForgotten) {
   const auto empty = std::make_unique<IntermediateRepresentation>();
   const auto model = cube_on_floor();
-  OrtegaMethod ortega = method();
+  OrtegaMethod ortega = ortega_method();
   RenderOutput output;
   ortega.render({*empty, cube_pose(0.0, 0.0), kTick}, output);
   EXPECT_EQ(output.status, RenderStatus::kNoModel);
@@ -214,14 +216,14 @@ TEST(OrtegaMethod, InvalidInputGivesNoForceAndIsForgotten) {
   model->planes[0].n_W = Vector3(0.0, 1.0, 0.0);
   ortega.render({*model, cube_pose(0.0, kHalfEdge - 1e-3), kTick}, output);
   EXPECT_NEAR(output.wrench.force.y(), 9.0, 1e-3);
-  EXPECT_THROW(OrtegaMethod({kStiffness, 0.0, kGyration}, MassProperties{}), std::invalid_argument);
+  EXPECT_THROW(OrtegaMethod({kGodObjectStiffness, 0.0, kGyration}, MassProperties{}), std::invalid_argument);
 }
 
 TEST(OrtegaMethod, RenderingAllocatesNothing) {
   const auto model = cube_on_floor();
-  OrtegaMethod ortega = method(1.0);
+  OrtegaMethod ortega = ortega_method(1.0);
   RenderOutput output;
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int i = 0; i < 100; ++i) ortega.render({*model, cube_pose(0.01 * i, 0.0995), kTick}, output);
   EXPECT_EQ(counter.count(), 0u);
 }

@@ -12,19 +12,20 @@
 namespace tegotae {
 namespace {
 
-using testing::cube_on_floor;
-using testing::cube_pose;
-using testing::height_for;
-using testing::kGyration;
-using testing::kHalfEdge;
-using testing::kTick;
-using testing::points_on_floor;
+using test::cube_on_floor;
+using test::cube_pose;
+using test::height_for;
+using test::kGyration;
+using test::kHalfEdge;
+using test::kTick;
+using test::points_on_floor;
 
-constexpr double kStiffness = 9000.0;
+constexpr double kCouplingStiffness = 9000.0;
 constexpr double kRatio = 10.0;
 
-OtaduyLinMethod method(double damping = 0.0, double contact_damping = 0.0, double stiffness = kStiffness) {
-  return {{{stiffness, damping, kGyration}, 0.01, kRatio, contact_damping}, testing::cube_mass()};
+OtaduyLinMethod otaduy_lin_method(double damping = 0.0, double contact_damping = 0.0,
+                                  double stiffness = kCouplingStiffness) {
+  return {{{stiffness, damping, kGyration}, 0.01, kRatio, contact_damping}, test::cube_mass()};
 }
 
 // The wrench after the tool has settled under a held interface.
@@ -36,18 +37,19 @@ RenderOutput settled(OtaduyLinMethod& tool, const IntermediateRepresentation& mo
 
 TEST(OtaduyLinMethod, AtRestCouplingAndContactAreSpringsInSeries) {
   const double depth = 1e-3;
-  const double contact = kRatio * kStiffness;
-  OtaduyLinMethod tool = method();
+  const double contact = kRatio * kCouplingStiffness;
+  OtaduyLinMethod tool = otaduy_lin_method();
   const auto one = points_on_floor({{0.0, -kHalfEdge, 0.0}});
   RenderOutput output = settled(tool, *one, cube_pose(0.0, kHalfEdge - depth));
-  EXPECT_NEAR(output.wrench.force.y(), depth * kStiffness * contact / (kStiffness + contact), 1e-8);
+  EXPECT_NEAR(output.wrench.force.y(), depth * kCouplingStiffness * contact / (kCouplingStiffness + contact), 1e-8);
   EXPECT_LT(output.wrench.torque.norm(), 1e-10);
-  EXPECT_NEAR(output.X_WP.p.y(), kHalfEdge - depth * kStiffness / (kStiffness + contact), 1e-12);
+  EXPECT_NEAR(output.X_WP.p.y(), kHalfEdge - depth * kCouplingStiffness / (kCouplingStiffness + contact), 1e-12);
   EXPECT_NEAR(output.deepest, depth, 1e-12) << "of the interface's pose, not the tool's";
 
   tool.reset();
   output = settled(tool, *cube_on_floor(), cube_pose(0.0, kHalfEdge - depth));
-  EXPECT_NEAR(output.wrench.force.y(), depth * kStiffness * 4.0 * contact / (kStiffness + 4.0 * contact), 1e-8);
+  EXPECT_NEAR(output.wrench.force.y(),
+              depth * kCouplingStiffness * 4.0 * contact / (kCouplingStiffness + 4.0 * contact), 1e-8);
   EXPECT_EQ(output.active_count, 4);
 }
 
@@ -55,9 +57,10 @@ TEST(OtaduyLinMethod, AnOffsetPointIsFeltThroughTranslationAndRotation) {
   // Compliances add: of the coupling at lever arm x, (1 + x^2 / l^2) / k, and of the contact.
   const double lever = 0.06, depth = 2e-5;
   const auto one = points_on_floor({{lever, -kHalfEdge, 0.0}});
-  OtaduyLinMethod tool = method();
+  OtaduyLinMethod tool = otaduy_lin_method();
   const RenderOutput output = settled(tool, *one, cube_pose(0.0, kHalfEdge - depth));
-  const double compliance = (1.0 + lever * lever / (kGyration * kGyration)) / kStiffness + 1.0 / (kRatio * kStiffness);
+  const double compliance =
+      (1.0 + lever * lever / (kGyration * kGyration)) / kCouplingStiffness + 1.0 / (kRatio * kCouplingStiffness);
   const double force = depth / compliance;
   EXPECT_NEAR(output.wrench.force.y(), force, 2e-4 * force) << "to first order of the rotation";
   EXPECT_NEAR(output.wrench.torque.z(), lever * force, 1e-3 * lever * force);
@@ -65,9 +68,9 @@ TEST(OtaduyLinMethod, AnOffsetPointIsFeltThroughTranslationAndRotation) {
 
 TEST(OtaduyLinMethod, AFreeToolComesToTheHandAndNoEnergyIsMade) {
   const auto model = cube_on_floor();
-  const MassProperties cube = testing::cube_mass();
+  const MassProperties cube = test::cube_mass();
   for (const double damping : {0.0, 2.0, 20.0}) {
-    OtaduyLinMethod tool = method(damping);
+    OtaduyLinMethod tool = otaduy_lin_method(damping);
     RenderOutput output;
     tool.render({*model, cube_pose(0.0, 1.0), kTick}, output);
     const Pose X_WT{{0.01, 1.0, -0.02}, rotation_from_vector({0.1, 0.05, -0.1})};
@@ -80,7 +83,7 @@ TEST(OtaduyLinMethod, AFreeToolComesToTheHandAndNoEnergyIsMade) {
       before = output.X_WP;
       const double inertia = cube.inertia(0, 0) * 0.01 / cube.mass;
       const double now = 0.5 * (0.01 * velocity.head<3>().squaredNorm() + inertia * velocity.tail<3>().squaredNorm()) +
-                         0.5 * stretch.dot(Coupling{kStiffness, 0.0, kGyration}.stiffness_matrix() * stretch);
+                         0.5 * stretch.dot(Coupling{kCouplingStiffness, 0.0, kGyration}.stiffness_matrix() * stretch);
       // The first tick jerks the interface: its work comes in there.
       if (i > 0) {
         EXPECT_LE(now, energy * (1.0 + 1e-9) + 1e-15) << i << " with " << damping;
@@ -95,7 +98,7 @@ TEST(OtaduyLinMethod, AFreeToolComesToTheHandAndNoEnergyIsMade) {
 TEST(OtaduyLinMethod, ImpactsDieOutAtAnyStiffness) {
   const auto model = cube_on_floor();
   for (const double stiffness : {1000.0, 9000.0, 1e6}) {
-    OtaduyLinMethod tool = method(0.0, 0.0, stiffness);
+    OtaduyLinMethod tool = otaduy_lin_method(0.0, 0.0, stiffness);
     RenderOutput output;
     tool.render({*model, cube_pose(0.0, kHalfEdge + 1e-3), kTick}, output);
     const double rest = 1e-3 * stiffness * 4.0 * kRatio / (1.0 + 4.0 * kRatio);
@@ -113,7 +116,7 @@ TEST(OtaduyLinMethod, ImpactsDieOutAtAnyStiffness) {
 
 TEST(OtaduyLinMethod, ContactsPushAndNeverHold) {
   const auto model = cube_on_floor();
-  OtaduyLinMethod tool = method(5.0, 50.0);
+  OtaduyLinMethod tool = otaduy_lin_method(5.0, 50.0);
   RenderOutput output = settled(tool, *model, cube_pose(0.0, kHalfEdge - 1e-3));
   EXPECT_GT(output.wrench.force.y(), 8.0);
   for (int i = 0; i < 300; ++i) {
@@ -126,21 +129,21 @@ TEST(OtaduyLinMethod, ContactsPushAndNeverHold) {
 
 TEST(OtaduyLinMethod, AContactDamperSlowsTheWayInAndIsNotFeltAtRest) {
   const auto one = points_on_floor({{0.0, -kHalfEdge, 0.0}});
-  OtaduyLinMethod undamped = method(), damped = method(0.0, 200.0);
+  OtaduyLinMethod undamped = otaduy_lin_method(), damped = otaduy_lin_method(0.0, 200.0);
   RenderOutput output;
   const auto after_two_ticks = [&](OtaduyLinMethod& tool) {
     for (int i = 0; i < 3; ++i) tool.render({*one, cube_pose(0.0, kHalfEdge - (i > 0 ? 1e-3 : 0.0)), kTick}, output);
     return output.X_WP.p.y();
   };
   EXPECT_GT(after_two_ticks(damped), after_two_ticks(undamped) + 1e-6);
-  const double rest = 1e-3 * kStiffness * kRatio / (1.0 + kRatio);
+  const double rest = 1e-3 * kCouplingStiffness * kRatio / (1.0 + kRatio);
   EXPECT_NEAR(settled(damped, *one, cube_pose(0.0, kHalfEdge - 1e-3)).wrench.force.y(), rest, 1e-7);
 }
 
 TEST(OtaduyLinMethod, TheWrenchIsContinuousWhereTheNumberOfContactsChanges) {
   // Per tick the interface moves every corner by 0.1 um at most: no step of the force above that of all springs.
   const auto model = cube_on_floor();
-  OtaduyLinMethod tool = method();
+  OtaduyLinMethod tool = otaduy_lin_method();
   RenderOutput output = settled(tool, *model, cube_pose(-2e-3, kHalfEdge - 1e-4));
   Wrench last = output.wrench;
   for (int i = 1; i <= 4000; ++i) {
@@ -152,16 +155,16 @@ TEST(OtaduyLinMethod, TheWrenchIsContinuousWhereTheNumberOfContactsChanges) {
 }
 
 TEST(OtaduyLinMethod, AtRestMovingBodiesAreGivenTheOpposite) {
-  const auto model = testing::cube_in_a_corner();
+  const auto model = test::cube_in_a_corner();
   model->planes[0].moving_index = 0;
   model->planes[0].p_WC = Vector3(0.3, -0.1, 0.0);
   model->planes[1].moving_index = 1;
   model->planes[1].p_WC = Vector3(-0.2, 0.1, 0.1);
-  OtaduyLinMethod tool = method();
+  OtaduyLinMethod tool = otaduy_lin_method();
   const Pose X_WT{{-2e-4, kHalfEdge - 1e-4, 0.0}, rotation_from_vector({0.0, 0.0, 1e-3})};
   const RenderOutput output = settled(tool, *model, X_WT);
   ASSERT_EQ(output.bodies.moving().size(), 2u);
-  const Wrench sum = testing::sum_on_bodies(output, output.X_WP.p) + output.wrench;
+  const Wrench sum = test::sum_on_bodies(output, output.X_WP.p) + output.wrench;
   EXPECT_GT(output.wrench.force.norm(), 1.0);
   EXPECT_LT(sum.force.norm(), 1e-9);
   EXPECT_LT(sum.torque.norm(), 1e-9);
@@ -169,7 +172,7 @@ TEST(OtaduyLinMethod, AtRestMovingBodiesAreGivenTheOpposite) {
 
 TEST(OtaduyLinMethod, ResettingForgetsTheTool) {
   const auto model = cube_on_floor();
-  OtaduyLinMethod tool = method(), fresh = method();
+  OtaduyLinMethod tool = otaduy_lin_method(), fresh = otaduy_lin_method();
   RenderOutput output, expected;
   settled(tool, *model, cube_pose(0.3, height_for(0.3, 1e-3)));
   tool.reset();
@@ -184,7 +187,7 @@ TEST(OtaduyLinMethod, ResettingForgetsTheTool) {
 TEST(OtaduyLinMethod, InvalidInputGivesNoForceAndIsForgotten) {
   const auto empty = std::make_unique<IntermediateRepresentation>();
   const auto model = cube_on_floor();
-  OtaduyLinMethod tool = method();
+  OtaduyLinMethod tool = otaduy_lin_method();
   RenderOutput output;
   tool.render({*empty, cube_pose(0.0, 0.0), kTick}, output);
   EXPECT_EQ(output.status, RenderStatus::kNoModel);
@@ -203,8 +206,8 @@ TEST(OtaduyLinMethod, InvalidInputGivesNoForceAndIsForgotten) {
 }
 
 TEST(OtaduyLinMethod, ParametersOutOfRangeAreRefused) {
-  const Coupling coupling{kStiffness, 0.0, kGyration};
-  const MassProperties cube = testing::cube_mass();
+  const Coupling coupling{kCouplingStiffness, 0.0, kGyration};
+  const MassProperties cube = test::cube_mass();
   EXPECT_THROW(OtaduyLinMethod({coupling, 0.0, kRatio, 0.0}, cube), std::invalid_argument);
   EXPECT_THROW(OtaduyLinMethod({coupling, 0.01, 0.0, 0.0}, cube), std::invalid_argument);
   EXPECT_THROW(OtaduyLinMethod({coupling, 0.01, kRatio, -1.0}, cube), std::invalid_argument);
@@ -213,9 +216,9 @@ TEST(OtaduyLinMethod, ParametersOutOfRangeAreRefused) {
 
 TEST(OtaduyLinMethod, RenderingAllocatesNothing) {
   const auto model = cube_on_floor();
-  OtaduyLinMethod tool = method(1.0, 1.0);
+  OtaduyLinMethod tool = otaduy_lin_method(1.0, 1.0);
   RenderOutput output;
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int i = 0; i < 100; ++i) tool.render({*model, cube_pose(0.01 * i, 0.0995), kTick}, output);
   EXPECT_EQ(counter.count(), 0u);
 }

@@ -14,16 +14,16 @@
 namespace tegotae {
 namespace {
 
-using testing::cube_on_floor;
-using testing::cube_pose;
-using testing::height_for;
-using testing::kGyration;
-using testing::kHalfEdge;
+using test::cube_on_floor;
+using test::cube_pose;
+using test::height_for;
+using test::kGyration;
+using test::kHalfEdge;
 
-constexpr double kStiffness = 9000.0;
+constexpr double kPaperStiffness = 9000.0;
 
-PaperMethod method(double metric_length, ConstraintSet set = ConstraintSet::kPenetratingPoints) {
-  return PaperMethod({{kStiffness, 0.0, metric_length}, set}, Vector3::Zero());
+PaperMethod paper_method(double metric_length, ConstraintSet set = ConstraintSet::kPenetratingPoints) {
+  return PaperMethod({{kPaperStiffness, 0.0, metric_length}, set}, Vector3::Zero());
 }
 
 TEST(PaperMethod, AnEdgeIsFeltAsTheClosedFormSays) {
@@ -31,13 +31,13 @@ TEST(PaperMethod, AnEdgeIsFeltAsTheClosedFormSays) {
   const auto model = cube_on_floor();
   RenderOutput output;
   for (const double metric_length : {1.0, kGyration}) {
-    PaperMethod paper = method(metric_length);
+    PaperMethod paper = paper_method(metric_length);
     // The second edge carries when the cube's freed pose would dip it: depth sets that angle, about 0.5 degrees.
     for (double degrees = 45.0; degrees >= 1.0; degrees -= 0.25) {
       const double angle = degrees * std::numbers::pi / 180.0;
       const double lever = kHalfEdge * (std::cos(angle) - std::sin(angle));
       paper.render({*model, cube_pose(angle, height_for(angle, depth)), 1e-3}, output);
-      const double force = kStiffness * depth / (1.0 + lever * lever / (metric_length * metric_length));
+      const double force = kPaperStiffness * depth / (1.0 + lever * lever / (metric_length * metric_length));
       ASSERT_EQ(output.status, RenderStatus::kOk);
       EXPECT_NEAR(output.wrench.force.y(), force, 1e-3 * force) << degrees;
       EXPECT_NEAR(output.wrench.torque.z(), -lever * force, 1e-3 * force * kHalfEdge) << degrees;
@@ -49,7 +49,7 @@ TEST(PaperMethod, AnEdgeIsFeltAsTheClosedFormSays) {
 TEST(PaperMethod, FaceAndEdgeAreClosedFormsOfTheirDepth) {
   RenderOutput output;
   const auto model = cube_on_floor();
-  PaperMethod paper = method(kGyration);
+  PaperMethod paper = paper_method(kGyration);
   paper.render({*model, cube_pose(0.0, kHalfEdge - 1e-3), 1e-3}, output);
   EXPECT_NEAR(output.wrench.force.y(), 9.0, 9.0 * 1e-5);
   EXPECT_LT(output.wrench.torque.norm(), 1e-9);
@@ -63,7 +63,7 @@ TEST(PaperMethod, PenetratingPointsAloneMakeTheForceJumpAndNearPointsDoNot) {
   const auto model = cube_on_floor();
   RenderOutput output;
   const auto largest_step = [&](ConstraintSet set) {
-    PaperMethod paper = method(kGyration, set);
+    PaperMethod paper = paper_method(kGyration, set);
     double largest = 0.0, last = 0.0;
     for (int i = -2000; i <= 2000; ++i) {
       const double angle = 0.00025 * i * std::numbers::pi / 180.0;
@@ -91,14 +91,14 @@ TEST(PaperMethod, OpposedWallsAreSharedWithoutChatter) {
   model->planes[1].first_point = 1;
   model->points[0] = {Vector3(-0.01, 0.0, 0.0), 1};
   model->points[1] = {Vector3(0.01, 0.0, 0.0), 2};
-  PaperMethod paper = method(1.0);
+  PaperMethod paper = paper_method(1.0);
   RenderOutput output;
   double last = 0.0;
   // Beyond 0.1 mm off the middle only one point penetrates.
   for (int i = 1; i < 200; ++i) {
     const double x = 1e-6 * (i - 100);
     paper.render({*model, {{x, 0.0, 0.0}, Quaternion::Identity()}, 1e-3}, output);
-    EXPECT_LT(std::abs(output.wrench.force.x() + kStiffness * x), 1e-3) << "the middle is the least violation";
+    EXPECT_LT(std::abs(output.wrench.force.x() + kPaperStiffness * x), 1e-3) << "the middle is the least violation";
     EXPECT_EQ(output.status, RenderStatus::kInfeasible) << "and it is said that it is a compromise";
     if (i > 1) {
       EXPECT_LT(std::abs(output.wrench.force.x() - last), 0.0091);
@@ -109,7 +109,7 @@ TEST(PaperMethod, OpposedWallsAreSharedWithoutChatter) {
 
 TEST(PaperMethod, DampingIsThatOfEquationTwo) {
   const auto model = cube_on_floor();
-  PaperMethod paper({{kStiffness, 10.0, 1.0}, ConstraintSet::kPenetratingPoints}, Vector3::Zero());
+  PaperMethod paper({{kPaperStiffness, 10.0, 1.0}, ConstraintSet::kPenetratingPoints}, Vector3::Zero());
   RenderOutput output;
   paper.render({*model, cube_pose(0.0, kHalfEdge), 1e-3}, output);
   paper.render({*model, cube_pose(0.0, kHalfEdge - 1e-3), 1e-3}, output);
@@ -124,7 +124,7 @@ TEST(PaperMethod, DampingIsThatOfEquationTwo) {
 
 TEST(PaperMethod, AStartInContactIsNoMotion) {
   const auto model = cube_on_floor();
-  PaperMethod paper({{kStiffness, 10.0, 1.0}, ConstraintSet::kPenetratingPoints}, Vector3::Zero());
+  PaperMethod paper({{kPaperStiffness, 10.0, 1.0}, ConstraintSet::kPenetratingPoints}, Vector3::Zero());
   RenderOutput output;
   for (int i = 0; i < 3; ++i) {
     paper.render({*model, cube_pose(0.0, kHalfEdge - 1e-3), 1e-3}, output);
@@ -136,7 +136,7 @@ TEST(PaperMethod, MovingBodiesAreGivenTheOppositeOfWhatIsFelt) {
   auto model = cube_on_floor();
   model->planes[0].moving_index = 5;
   model->planes[0].p_WC = Vector3(0.3, -0.1, 0.0);
-  PaperMethod paper = method(1.0);
+  PaperMethod paper = paper_method(1.0);
   RenderOutput output;
   paper.render({*model, cube_pose(0.2, height_for(0.2, 1e-3)), 1e-3}, output);
   ASSERT_EQ(output.bodies.moving().size(), 1u);
@@ -150,7 +150,7 @@ TEST(PaperMethod, MovingBodiesAreGivenTheOppositeOfWhatIsFelt) {
 TEST(PaperMethod, WithoutModelOrWithANonFinitePoseThereIsNoForce) {
   const auto empty = std::make_unique<IntermediateRepresentation>();
   const auto model = cube_on_floor();
-  PaperMethod paper = method(1.0);
+  PaperMethod paper = paper_method(1.0);
   RenderOutput output;
   paper.render({*empty, cube_pose(0.0, 0.0), 1e-3}, output);
   EXPECT_EQ(output.status, RenderStatus::kNoModel);
@@ -162,9 +162,9 @@ TEST(PaperMethod, WithoutModelOrWithANonFinitePoseThereIsNoForce) {
 
 TEST(PaperMethod, RenderingAllocatesNothing) {
   const auto model = cube_on_floor();
-  PaperMethod paper = method(1.0, ConstraintSet::kNearPoints);
+  PaperMethod paper = paper_method(1.0, ConstraintSet::kNearPoints);
   RenderOutput output;
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int i = 0; i < 100; ++i) paper.render({*model, cube_pose(0.01 * i, 0.0995), 1e-3}, output);
   EXPECT_EQ(counter.count(), 0u);
 }

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 constexpr int kPieces = 450;
@@ -59,7 +59,7 @@ TEST(ProxyBudget, APairWithoutMeasurementIsGuardedByItsLastPlane) {
     rig.tick({hand, Quaternion::Identity()});
     skipped += rig.output.skipped_pairs;
     pressed += rig.output.wrench.force.norm() > 1.0 ? 1 : 0;
-    if (i % (4 * testing::kSweepDivisor) == 0) {
+    if (i % (4 * test::kSweepDivisor) == 0) {
       ASSERT_GT(rig.clearance(), 0.0) << i;
     }
   }
@@ -83,7 +83,7 @@ TEST(ProxyBudget, AFloorOfManyBlocksCarriesAsAFloorDoes) {
     const Wrench& wrench = rig.tick(X_WT);
     const Wrench& expected = whole.tick(X_WT);
     skipped += rig.output.skipped_pairs;
-    if (i % (4 * testing::kSweepDivisor) == 0) {
+    if (i % (4 * test::kSweepDivisor) == 0) {
       ASSERT_GT(rig.clearance(), 0.4e-6) << i;
     }
     // A corner over the crossing of two gaps sinks by up to 6 um.
@@ -121,7 +121,7 @@ TEST(ProxyBudget, ManyMovingPiecesDoNotPassThroughTheTool) {
     rig.tick(at(0.0, 0.0, 0.0));
     skipped += rig.output.skipped_pairs;
     rig.scene.bodies[static_cast<size_t>(body)].X_WB = X_WB;
-    if (i % (4 * testing::kSweepDivisor) == 0) {
+    if (i % (4 * test::kSweepDivisor) == 0) {
       ASSERT_GT(rig.clearance(), 0.0) << i;
     }
   }
@@ -129,4 +129,4 @@ TEST(ProxyBudget, ManyMovingPiecesDoNotPassThroughTheTool) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

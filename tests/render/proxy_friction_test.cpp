@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 constexpr double kHalf = 0.02;  // m, of the tool
@@ -191,4 +191,4 @@ TEST(ProxyFriction, ComesFromTheSceneByItsRule) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

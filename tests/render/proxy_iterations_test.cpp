@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 // A hull between ball and box, every point a corner, as a scanned tool.
@@ -47,4 +47,4 @@ TEST(ProxyIterations, OfARoundedToolInACornerStayFewAtTheWorstTick) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 // A plate of 1 mm struck at 1 m/s and pressed 50 mm deep, from straight above to 6 degrees over the plate, with a spin.
@@ -284,4 +284,4 @@ TEST(ProxyMotion, InvalidInputGivesNoForceAndDoesNotStay) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 ProxyRig block_over_floor() {
@@ -97,4 +97,4 @@ TEST(ProxyOptions, SettingsOutOfRangeAreRefusedWithTheRange) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

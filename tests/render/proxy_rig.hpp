@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// A proxy method on a scene made by hand, driven without physics: all pairs of pieces are always named as near.
 class ProxyRig {
@@ -134,4 +134,4 @@ struct LargestChange {
   Wrench last_;
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

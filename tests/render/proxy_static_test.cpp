@@ -7,13 +7,13 @@
 #include <cmath>
 #include <numbers>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
-constexpr double kHalf = 0.1;  // m, of the cube
+constexpr double kHalfOfBox = 0.1;  // m, of the cube
 
 ProxyRig cube_on_floor() {
-  ProxyRig rig({make_box(Vector3::Constant(kHalf))});
+  ProxyRig rig({make_box(Vector3::Constant(kHalfOfBox))});
   rig.add_body(make_plane());
   return rig;
 }
@@ -30,9 +30,9 @@ TEST(ProxyStatic, InFreeAirThereIsNoForceAndTheProxyFollows) {
 
 TEST(ProxyStatic, AFacePressedFlatHasNoTorque) {
   ProxyRig rig = cube_on_floor();
-  rig.tick(at(0.0, 0.0, kHalf + 1e-3));
+  rig.tick(at(0.0, 0.0, kHalfOfBox + 1e-3));
   for (const double depth : {1e-4, 1e-3, 1e-2, 5e-2}) {
-    const Wrench& wrench = rig.hold(at(0.003, 0.001, kHalf - depth), 100);
+    const Wrench& wrench = rig.hold(at(0.003, 0.001, kHalfOfBox - depth), 100);
     EXPECT_NEAR(wrench.force.z(), ProxyRig::kStiffness * depth, 0.02 + 1e-4 * ProxyRig::kStiffness * depth);
     EXPECT_LT(wrench.force.head<2>().norm(), 1e-9);
     EXPECT_LT(wrench.torque.norm(), 1e-9);
@@ -40,12 +40,12 @@ TEST(ProxyStatic, AFacePressedFlatHasNoTorque) {
 }
 
 TEST(ProxyStatic, TellsHowDeepTheHandHoldsTheTool) {
-  ProxyRig rig({make_box(Vector3::Constant(kHalf))});
+  ProxyRig rig({make_box(Vector3::Constant(kHalfOfBox))});
   rig.add_body(make_plane());
-  rig.hold(at(0.0, 0.0, kHalf + 0.05), 2);
+  rig.hold(at(0.0, 0.0, kHalfOfBox + 0.05), 2);
   EXPECT_EQ(rig.output.deepest, 0.0);
   for (const double depth : {1e-3, 10e-3}) {
-    rig.hold(at(0.0, 0.0, kHalf - depth), 50);
+    rig.hold(at(0.0, 0.0, kHalfOfBox - depth), 50);
     EXPECT_NEAR(rig.output.deepest, depth, 1e-9);
   }
 }
@@ -55,13 +55,13 @@ TEST(ProxyStatic, AnEdgeIsFeltAsTheClosedFormSays) {
   for (double degrees = 45.0; degrees >= 2.0; degrees -= 1.0) {
     ProxyRig rig = cube_on_floor();
     const double angle = degrees * std::numbers::pi / 180.0;
-    const double height = kHalf * (std::cos(angle) + std::sin(angle)),
-                 lever = kHalf * (std::cos(angle) - std::sin(angle));
+    const double height = kHalfOfBox * (std::cos(angle) + std::sin(angle)),
+                 lever = kHalfOfBox * (std::cos(angle) - std::sin(angle));
     rig.tick(at({0.0, 0.0, height + 1e-3}, {angle, 0.0, 0.0}));
     const Wrench& wrench = rig.hold(at({0.0, 0.0, height - depth}, {angle, 0.0, 0.0}), 5);
     const double force = ProxyRig::kStiffness * (depth + 2e-6) / (1.0 + std::pow(lever / rig.metric_length(), 2));
     EXPECT_NEAR(wrench.force.z(), force, 5e-3 * force) << degrees;
-    EXPECT_NEAR(wrench.torque.norm(), lever * force, 5e-3 * force * kHalf) << degrees;
+    EXPECT_NEAR(wrench.torque.norm(), lever * force, 5e-3 * force * kHalfOfBox) << degrees;
   }
 }
 
@@ -69,22 +69,22 @@ TEST(ProxyStatic, AnEdgeIsFeltAsTheClosedFormSays) {
 // friction the force is that of the edge's lever arm, and the torque turns the cube back towards where it rests.
 TEST(ProxyStatic, ACubeTurnedFromItsEdgeToItsFaceFollowsTheClosedForm) {
   const double depth = 0.35e-3;
-  for (const double metric_length : {1.0, 2.0 * kHalf / std::sqrt(6.0)}) {
+  for (const double metric_length : {1.0, 2.0 * kHalfOfBox / std::sqrt(6.0)}) {
     ProxyRig rig = cube_on_floor();
     rig.parameters.coupling.metric_length = metric_length;
     const auto pose = [depth](double angle, double lift) {
-      const double height = kHalf * (std::cos(angle) + std::sin(angle));
+      const double height = kHalfOfBox * (std::cos(angle) + std::sin(angle));
       return at({0.0, 0.0, height - depth + lift}, {angle, 0.0, 0.0});
     };
     const double start = std::numbers::pi / 4.0;
     for (int i = 0; i <= 10; ++i) rig.tick(pose(start, 1e-3 * (1.0 - 0.1 * i)));
     for (double angle = start; angle > 0.03; angle -= 4e-4) {
       const Wrench& wrench = rig.tick(pose(angle, 0.0));
-      const double lever = kHalf * (std::cos(angle) - std::sin(angle));
+      const double lever = kHalfOfBox * (std::cos(angle) - std::sin(angle));
       const double force = ProxyRig::kStiffness * (depth + 2e-6) / (1.0 + std::pow(lever / metric_length, 2));
       ASSERT_NEAR(wrench.force.z(), force, 0.01 * force) << angle;
       // The edge is at y = -lever from the centre: r x f about x is -lever f.
-      ASSERT_NEAR(wrench.torque.x(), -lever * force, 0.01 * kHalf * force) << angle;
+      ASSERT_NEAR(wrench.torque.x(), -lever * force, 0.01 * kHalfOfBox * force) << angle;
     }
   }
 }
@@ -120,12 +120,12 @@ TEST(ProxyStatic, AFaceOnACornerIsFeltAtTheCorner) {
   const Quaternion tilt = Quaternion::FromTwoVectors(Vector3(1.0, 1.0, 1.0), Vector3::UnitZ());
   std::vector<Wrench> at_margins;
   for (const double margin : {0.2e-3, 2e-3, 20e-3}) {
-    ProxyRig rig({make_box(Vector3::Constant(kHalf))});
-    rig.add_body(make_box(Vector3::Constant(kHalf)), {{0.0, 0.0, -kHalf * std::sqrt(3.0)}, tilt});
+    ProxyRig rig({make_box(Vector3::Constant(kHalfOfBox))});
+    rig.add_body(make_box(Vector3::Constant(kHalfOfBox)), {{0.0, 0.0, -kHalfOfBox * std::sqrt(3.0)}, tilt});
     rig.parameters.margin = margin;
     const double x = 0.03, y = -0.02, depth = 1e-3;
-    rig.tick(at(x, y, kHalf + 1e-3));
-    const Wrench& wrench = rig.hold(at(x, y, kHalf - depth), 50);
+    rig.tick(at(x, y, kHalfOfBox + 1e-3));
+    const Wrench& wrench = rig.hold(at(x, y, kHalfOfBox - depth), 50);
     const double l2 = rig.metric_length() * rig.metric_length();
     const double force = ProxyRig::kStiffness * (depth + 2e-6) / (1.0 + (x * x + y * y) / l2);
     EXPECT_NEAR(wrench.force.z(), force, 0.01 * force) << margin;
@@ -137,11 +137,11 @@ TEST(ProxyStatic, AFaceOnACornerIsFeltAtTheCorner) {
 }
 
 TEST(ProxyStatic, AnEdgeOnAnEdgeIsFeltWhereTheyCross) {
-  const double quarter = std::numbers::pi / 4.0, height = 2.0 * kHalf * std::sqrt(2.0);
+  const double quarter = std::numbers::pi / 4.0, height = 2.0 * kHalfOfBox * std::sqrt(2.0);
   std::vector<Wrench> at_margins;
   for (const double margin : {0.2e-3, 2e-3, 20e-3}) {
-    ProxyRig rig({make_box(Vector3::Constant(kHalf))});
-    rig.add_body(make_box(Vector3::Constant(kHalf)), at({0.02, 0.0, 0.0}, {0.0, quarter, 0.0}));
+    ProxyRig rig({make_box(Vector3::Constant(kHalfOfBox))});
+    rig.add_body(make_box(Vector3::Constant(kHalfOfBox)), at({0.02, 0.0, 0.0}, {0.0, quarter, 0.0}));
     rig.parameters.margin = margin;
     rig.tick(at({0.0, 0.0, height + 1e-3}, {quarter, 0.0, 0.0}));
     const double depth = 0.5e-3;
@@ -213,4 +213,4 @@ TEST(ProxyStatic, InAWedgeTheForceIsThatOfBothWalls) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

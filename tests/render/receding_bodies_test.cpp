@@ -99,7 +99,7 @@ TEST(RecedingBodies, AVelocityThatIsNotFiniteOrUnknownChangesNothing) {
 
 TEST(RecedingBodies, AllocatesNothing) {
   Push push;
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   push.yield({Vector3(0.2, 0.0, 0.0), Vector3::Zero()}, {});
   EXPECT_EQ(counter.count(), 0u);
 }

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 // Where the compiler cannot see that the memory is not used.
@@ -71,4 +71,4 @@ TEST(AllocationCounter, StackIsNotTheHeap) {
 }
 
 }  // namespace
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -17,12 +17,12 @@
 namespace tegotae {
 namespace {
 
+using test::FileSizeLimit;
+using test::TemporaryFolder;
+using test::text_of;
 using ::testing::EndsWith;
-using testing::FileSizeLimit;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-using testing::TemporaryFolder;
-using testing::text_of;
 
 CsvHead head_of_two() {
   CsvHead head;

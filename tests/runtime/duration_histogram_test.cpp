@@ -123,7 +123,7 @@ TEST(DurationHistogram, OutOfRangeDurationsAreCountedAtTheEnds) {
 
 TEST(DurationHistogram, AddingAllocatesNothing) {
   const auto histogram = std::make_unique<DurationHistogram>();
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int i = 0; i < 1000; ++i) histogram->add(1e-6 * i);
   const double median = histogram->median();
   EXPECT_EQ(counter.count(), 0U);

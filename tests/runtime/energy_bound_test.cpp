@@ -224,7 +224,7 @@ TEST(EnergyBound, WhatIsNotFiniteIsForgotten) {
 
 TEST(EnergyBound, AllocatesNothing) {
   Spring spring;
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int i = 0; i < 1000; ++i) spring.press(1e-3 * std::sin(0.5 * i));
   EXPECT_EQ(counter.count(), 0U);
 }

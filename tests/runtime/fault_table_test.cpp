@@ -19,18 +19,18 @@
 namespace tegotae {
 namespace {
 
-constexpr double kPeriod = 1e-3;         // s
-constexpr double kPhysicsPeriod = 0.01;  // s
-constexpr double kStiffness = 1000.0;    // N/m
-constexpr double kDepth = 5e-3;          // m of the press
-constexpr double kFault = 4.0;           // s
-constexpr double kEnd = 12.0;            // s
-constexpr double kClear = 8.0;           // s, from when on the hand is above the floor
-constexpr double kAgain = 9.0;           // s, from when on it presses again
+constexpr double kPeriod = 1e-3;           // s
+constexpr double kPhysicsPeriod = 0.01;    // s
+constexpr double kFeltStiffness = 1000.0;  // N/m
+constexpr double kDepth = 5e-3;            // m of the press
+constexpr double kFault = 4.0;             // s
+constexpr double kEnd = 12.0;              // s
+constexpr double kClear = 8.0;             // s, from when on the hand is above the floor
+constexpr double kAgain = 9.0;             // s, from when on it presses again
 
-class FailingWorld : public testing::FreeBodyWorld {
+class FailingWorld : public test::FreeBodyWorld {
  public:
-  FailingWorld() : FreeBodyWorld(testing::cube_over_floor()) {}
+  FailingWorld() : FreeBodyWorld(test::cube_over_floor()) {}
   void advance(double duration, const ToolState& tool, std::span<const BodyImpulse> impulses) override {
     if (fails) throw std::runtime_error("the engine gave up");
     FreeBodyWorld::advance(duration, tool, impulses);
@@ -62,7 +62,7 @@ class FaultTable : public ::testing::Test {
     InterfaceCapability capability;
     capability.max_force = 10.0;
     capability.max_torque = 0.4;
-    limits = safety_limits(capability, kStiffness, length(), kPhysicsPeriod);
+    limits = safety_limits(capability, kFeltStiffness, length(), kPhysicsPeriod);
     use("proxy");
   }
 
@@ -74,9 +74,10 @@ class FaultTable : public ::testing::Test {
     return make_method(name, settings, world.geometry());
   }
   void use(const char* name) {
-    haptics = std::make_unique<HapticTick>(method(name, kStiffness), world.geometry().tool, limits, kPeriod, workspace);
+    haptics =
+        std::make_unique<HapticTick>(method(name, kFeltStiffness), world.geometry().tool, limits, kPeriod, workspace);
     physics = std::make_unique<PhysicsLoop>(world, PhysicsLoop::Settings{kPhysicsPeriod, 0.005},
-                                            needs_of(method(name, kStiffness)));
+                                            needs_of(method(name, kFeltStiffness)));
   }
 
   // From above the floor into it; kept until it lifts off, and pressed again.
@@ -157,8 +158,8 @@ class FaultTable : public ::testing::Test {
   }
   // It pressed when the fault came, and the hand that comes back is served again.
   static void expect_recovers(const Outcome& outcome) {
-    EXPECT_NEAR(outcome.before, kStiffness * kDepth, 0.1);
-    EXPECT_NEAR(outcome.in_the_end, kStiffness * kDepth, 0.1);
+    EXPECT_NEAR(outcome.before, kFeltStiffness * kDepth, 0.1);
+    EXPECT_NEAR(outcome.in_the_end, kFeltStiffness * kDepth, 0.1);
   }
 
   FailingWorld world;
@@ -217,7 +218,7 @@ TEST_F(FaultTable, PoseFrozenThatDoesNotSaySo) {
   });
   expect_safe("pose frozen for 1 s, without it", outcome, std::numeric_limits<double>::infinity());
   expect_recovers(outcome);
-  EXPECT_LE(outcome.force, kStiffness * kDepth + 0.1);
+  EXPECT_LE(outcome.force, kFeltStiffness * kDepth + 0.1);
 }
 
 TEST_F(FaultTable, PoseLeapsIntoTheFloor) {
@@ -307,7 +308,7 @@ TEST_F(FaultTable, HapticThreadStands) {
     });
     expect_safe("haptic thread stands for 1 s", outcome, 1.0 + limits.fade_time + kPeriod);
     expect_recovers(outcome);
-    EXPECT_LE(outcome.force, kStiffness * kDepth + 0.1) << "deeper by " << deeper;
+    EXPECT_LE(outcome.force, kFeltStiffness * kDepth + 0.1) << "deeper by " << deeper;
   }
 }
 
@@ -330,7 +331,7 @@ TEST_F(FaultTable, ClutchedInContact) {
   });
   expect_safe("clutched in contact for 1 s", outcome, limits.fade_time);
   EXPECT_LT(tool_moved, 1e-12);
-  EXPECT_NEAR(outcome.in_the_end, kStiffness * kDepth, 0.1);
+  EXPECT_NEAR(outcome.in_the_end, kFeltStiffness * kDepth, 0.1);
 }
 
 TEST_F(FaultTable, DeadManButtonLetGo) {
@@ -352,7 +353,7 @@ TEST_F(FaultTable, DeadManButtonNeverHeld) {
 }
 
 TEST_F(FaultTable, StiffnessRaisedTenfold) {
-  HapticUpdate update{std::make_unique<RenderingMethod>(method("proxy", 10.0 * kStiffness)), limits};
+  HapticUpdate update{std::make_unique<RenderingMethod>(method("proxy", 10.0 * kFeltStiffness)), limits};
   bool is_changed = false;
   const Outcome outcome = run([&](Moment&) {
     if (!is_changed) haptics->adopt(update);
@@ -387,7 +388,7 @@ TEST_F(FaultTable, StartsInside) {
     const bool is_proxy = std::string(name) == "proxy";
     expect_safe(is_proxy ? "start inside, 'proxy'" : "start inside, 'paper'", outcome, kAtOnce);
     // The push-out is 0.01 m/s, the ramp begins after it; a method that does not push out waits for the hand.
-    EXPECT_NEAR(before.force.norm(), is_proxy ? kStiffness * kDepth : 0.0, 0.1);
+    EXPECT_NEAR(before.force.norm(), is_proxy ? kFeltStiffness * kDepth : 0.0, 0.1);
     EXPECT_NEAR(first, is_proxy ? kDepth / 0.01 : -1.0, 0.05);
     EXPECT_LT(outcome.force_growth, 0.01);
   }

@@ -85,7 +85,7 @@ class BusyTick {
   }
 
   static SceneGeometry scene() {
-    SceneGeometry scene = testing::cube_over_floor();
+    SceneGeometry scene = test::cube_over_floor();
     Body block = scene.bodies[0];
     block.pieces = {make_box(Vector3(0.05, 0.05, 0.05)), make_sphere(0.04)};
     block.X_WB.p = Vector3(0.14, 0.1, 0.0);
@@ -98,7 +98,7 @@ class BusyTick {
     return {{0.001 * std::sin(30.0 * t), 0.0995, 0.0}, rotation_from_vector({0.02 * std::sin(20.0 * t), 0.0, 0.0})};
   }
 
-  testing::FreeBodyWorld world_;
+  test::FreeBodyWorld world_;
   PhysicsLoop physics_;
   std::unique_ptr<HapticTick> haptics_;
   std::array<IntermediateRepresentation, 3> models_;
@@ -116,8 +116,8 @@ class HapticTickContract : public ::testing::TestWithParam<std::string_view> {};
 
 TEST_P(HapticTickContract, NeitherAllocatesNorLocks) {
   const auto tick = std::make_unique<BusyTick>(GetParam().data());
-  const testing::AllocationCounter allocations;
-  const testing::LockCounter locks;
+  const test::AllocationCounter allocations;
+  const test::LockCounter locks;
   tick->run(1000);
   EXPECT_EQ(allocations.count(), 0u);
   EXPECT_EQ(locks.count(), 0u);
@@ -132,7 +132,7 @@ TEST_P(HapticTickContract, NeitherAllocatesNorLocks) {
 
 TEST(LockCounter, CountsTheLocksOfThisThread) {
   std::mutex mutex;
-  const testing::LockCounter locks;
+  const test::LockCounter locks;
   { const std::lock_guard<std::mutex> lock(mutex); }
   EXPECT_EQ(locks.count(), 1u);
 }

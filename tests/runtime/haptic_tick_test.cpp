@@ -14,23 +14,23 @@
 namespace tegotae {
 namespace {
 
-constexpr double kPeriod = 1e-3;
+constexpr double kTickPeriod = 1e-3;
 constexpr HapticTick::Circumstances kLost{true, false, false, 0.0}, kEnding{false, true, false, 0.0};
 
 // A tick over the paper's scene with its first model.
-struct Rig {
-  explicit Rig(SceneGeometry scene = testing::cube_over_floor(), const WorkspaceSettings& workspace = {},
-               const char* name = "paper", const SafetyLimits& limits = full_wrench_at_once())
+struct TickRig {
+  explicit TickRig(SceneGeometry scene = test::cube_over_floor(), const WorkspaceSettings& workspace = {},
+                   const char* name = "paper", const SafetyLimits& limits = full_wrench_at_once())
       : world(std::move(scene)), physics(world, {0.05, 0.01}, ModelNeeds{true, true}) {
     MethodSettings settings;
     settings.stiffness = 9000.0;
     tick = std::make_unique<HapticTick>(make_method(name, settings, world.geometry()), world.geometry().tool, limits,
-                                        kPeriod, workspace);
+                                        kTickPeriod, workspace);
   }
 
   static SafetyLimits full_wrench_at_once() {
     SafetyLimits limits = without_hand({});
-    limits.ramp_time = kPeriod;
+    limits.ramp_time = kTickPeriod;
     limits.force_rate = limits.torque_rate = 1e9;
     return limits;
   }
@@ -44,7 +44,7 @@ struct Rig {
     return (*tick)(state, fresh ? model.get() : nullptr, circumstances, record);
   }
 
-  testing::FreeBodyWorld world;
+  test::FreeBodyWorld world;
   PhysicsLoop physics;
   std::unique_ptr<HapticTick> tick;
   std::unique_ptr<IntermediateRepresentation> model = std::make_unique<IntermediateRepresentation>();
@@ -54,11 +54,11 @@ struct Rig {
 Pose pressed(double depth) { return {{0.0, 0.1 - depth, 0.0}, Quaternion::Identity()}; }
 
 TEST(HapticTick, PressingAFaceIsFeltAndRecorded) {
-  Rig rig;
+  TickRig rig;
   rig.make_model(0.0, pressed(-1e-3));
   rig.run(0.0, pressed(-1e-3), true);
   EXPECT_EQ(rig.record.wrench.force.y, 0.0);
-  const InterfaceCommand command = rig.run(kPeriod, pressed(1e-3), false);
+  const InterfaceCommand command = rig.run(kTickPeriod, pressed(1e-3), false);
   EXPECT_NEAR(command.wrench.force.y(), 9.0, 1e-3);
   EXPECT_NEAR(rig.record.wrench.force.y, 9.0, 1e-3);
   EXPECT_NEAR(rig.record.displayed.force.y, 9.0, 1e-3);
@@ -66,37 +66,37 @@ TEST(HapticTick, PressingAFaceIsFeltAndRecorded) {
   EXPECT_EQ(rig.record.planes, 1);
   EXPECT_EQ(rig.record.active, 4);
   EXPECT_EQ(rig.record.model_sequence, 1u);
-  EXPECT_NEAR(rig.record.model_age, kPeriod, 1e-15);
+  EXPECT_NEAR(rig.record.model_age, kTickPeriod, 1e-15);
 }
 
 TEST(HapticTick, WithoutAModelThereIsNoForce) {
-  Rig rig;
+  TickRig rig;
   const InterfaceCommand command = rig.run(0.0, pressed(5e-3), false);
   EXPECT_EQ(command.wrench.force.norm(), 0.0);
   EXPECT_EQ(rig.record.status, static_cast<std::uint8_t>(RenderStatus::kNoModel));
 }
 
 TEST(HapticTick, ANonFinitePoseDisplaysNothingAndIsForgotten) {
-  Rig rig;
+  TickRig rig;
   rig.make_model(0.0, pressed(1e-3));
   rig.run(0.0, pressed(1e-3), true);
-  const InterfaceCommand command = rig.run(kPeriod, {{0.0, std::nan(""), 0.0}, Quaternion::Identity()}, false);
+  const InterfaceCommand command = rig.run(kTickPeriod, {{0.0, std::nan(""), 0.0}, Quaternion::Identity()}, false);
   EXPECT_EQ(command.wrench.force.norm(), 0.0);
   EXPECT_EQ(rig.record.status, static_cast<std::uint8_t>(RenderStatus::kInvalidInput));
-  const InterfaceCommand zero_quaternion = rig.run(2 * kPeriod, {{0.0, 0.099, 0.0}, Quaternion(0, 0, 0, 0)}, false);
+  const InterfaceCommand zero_quaternion = rig.run(2 * kTickPeriod, {{0.0, 0.099, 0.0}, Quaternion(0, 0, 0, 0)}, false);
   EXPECT_EQ(zero_quaternion.wrench.force.norm(), 0.0);
   ImpulseSums message;
   rig.tick->fill(message, 0);
   EXPECT_EQ(message.X_WT.p.y, 0.099) << "physics goes on with the last pose that was one";
-  EXPECT_NEAR(rig.run(3 * kPeriod, pressed(1e-3), false).wrench.force.y(), 9.0, 1e-3);
+  EXPECT_NEAR(rig.run(3 * kTickPeriod, pressed(1e-3), false).wrench.force.y(), 9.0, 1e-3);
 }
 
 TEST(HapticTick, TorqueIsGivenAboutTheGripAndRecordedAboutTheCentreOfMass) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   // The same cube held 0.1 m beside its centre.
   scene.tool.pieces[0].X_BS.p = Vector3(0.1, 0.0, 0.0);
   scene.tool.mass = mass_properties(scene.tool.pieces[0], 1000.0);
-  Rig rig(std::move(scene));
+  TickRig rig(std::move(scene));
   rig.make_model(0.0, pressed(5e-4));
   const InterfaceCommand command = rig.run(0.0, pressed(5e-4), true);
   EXPECT_NEAR(command.wrench.force.y(), 4.5, 1e-3);
@@ -106,14 +106,14 @@ TEST(HapticTick, TorqueIsGivenAboutTheGripAndRecordedAboutTheCentreOfMass) {
 }
 
 TEST(HapticTick, BodiesReceiveWhatWasDisplayed) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies[0].moving_index = 0;
-  Rig rig(std::move(scene));
+  TickRig rig(std::move(scene));
   rig.make_model(0.0, pressed(1e-3));
   double displayed = 0.0;
   for (int i = 0; i < 10; ++i) {
-    rig.run(i * kPeriod, pressed(1e-3), i == 0);
-    displayed += kPeriod * rig.record.displayed.force.y;
+    rig.run(i * kTickPeriod, pressed(1e-3), i == 0);
+    displayed += kTickPeriod * rig.record.displayed.force.y;
   }
   ImpulseSums message;
   rig.tick->fill(message, 1);
@@ -123,12 +123,12 @@ TEST(HapticTick, BodiesReceiveWhatWasDisplayed) {
 }
 
 TEST(HapticTick, ALostInterfaceOrTheEndGivesZeroAtOnceAndBodiesReceiveNothing) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies[0].moving_index = 0;
-  Rig rig(std::move(scene));
+  TickRig rig(std::move(scene));
   rig.make_model(0.0, pressed(1e-3));
   EXPECT_EQ(rig.run(0.0, pressed(1e-3), true, kLost).wrench.force.norm(), 0.0);
-  EXPECT_EQ(rig.run(kPeriod, pressed(1e-3), false, kEnding).wrench.force.norm(), 0.0);
+  EXPECT_EQ(rig.run(kTickPeriod, pressed(1e-3), false, kEnding).wrench.force.norm(), 0.0);
   EXPECT_GT(rig.record.wrench.force.y, 8.0);
   ImpulseSums message;
   rig.tick->fill(message, 1);
@@ -137,23 +137,23 @@ TEST(HapticTick, ALostInterfaceOrTheEndGivesZeroAtOnceAndBodiesReceiveNothing) {
 
 // The pose that an interface reports while it is lost means nothing.
 TEST(HapticTick, WhileTheInterfaceIsLostTheToolStaysWhereItWas) {
-  Rig rig;
+  TickRig rig;
   rig.make_model(0.0, pressed(1e-3));
   rig.run(0.0, pressed(1e-3), true);
-  rig.run(kPeriod, {}, false, kLost);
+  rig.run(kTickPeriod, {}, false, kLost);
   EXPECT_EQ(rig.record.X_WT.p.y, 0.099);
   EXPECT_EQ(rig.record.displayed.force.y, 0.0);
 }
 
 TEST(HapticTick, MissedTicksAreFeltByTheBodiesForAsLongAsByTheHand) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies[0].moving_index = 0;
-  Rig rig(std::move(scene));
+  TickRig rig(std::move(scene));
   rig.make_model(0.0, pressed(1e-3));
   double impulse = 0.0;
   for (int i = 0; i < 5; ++i) {
     rig.run(0.01 * i, pressed(1e-3), i == 0);
-    impulse += (i == 0 ? kPeriod : 0.01) * rig.record.displayed.force.y;
+    impulse += (i == 0 ? kTickPeriod : 0.01) * rig.record.displayed.force.y;
   }
   ImpulseSums message;
   rig.tick->fill(message, 1);
@@ -163,14 +163,14 @@ TEST(HapticTick, MissedTicksAreFeltByTheBodiesForAsLongAsByTheHand) {
 
 // A ball that turns about its centre on the floor, models made only now and then.
 TEST(HapticTick, ATurningBallIsFeltAsABall) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.tool.pieces = {make_sphere(0.05)};
   scene.tool.mass = mass_properties(scene.tool.pieces[0], 1000.0);
-  Rig rig(std::move(scene));
+  TickRig rig(std::move(scene));
   for (int i = 0; i < 200; ++i) {
     const Pose pose{{0.0, 0.0495, 0.0}, rotation_from_vector({2e-3 * i, 0.0, 5e-3 * i})};
-    if (i % 50 == 0) rig.make_model(kPeriod * i, pose);
-    rig.run(kPeriod * i, pose, i % 50 == 0);
+    if (i % 50 == 0) rig.make_model(kTickPeriod * i, pose);
+    rig.run(kTickPeriod * i, pose, i % 50 == 0);
     ASSERT_NEAR(rig.record.wrench.force.y, 4.5, 1e-3);
     ASSERT_LT(Vector3(rig.record.wrench.torque).norm(), 1e-9);
   }
@@ -178,32 +178,32 @@ TEST(HapticTick, ATurningBallIsFeltAsABall) {
 
 // Twice as far in the world as at the grip, half the force at the grip.
 TEST(HapticTick, ScalesAreBetweenTheToolAndTheGripAndBodiesTakeWhatWasDisplayed) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies[0].moving_index = 0;
   WorkspaceSettings workspace;
   workspace.translation_scale = 2.0;
   workspace.force_scale = 0.5;
-  Rig rig(std::move(scene), workspace);
+  TickRig rig(std::move(scene), workspace);
   // The workspaces coincide where the scene has the tool: y = 0.3.
   const Pose above{{0.0, 0.3 - 0.5 * 0.199, 0.0}, Quaternion::Identity()};
   const Pose pressed_grip{{0.0, 0.3 - 0.5 * 0.201, 0.0}, Quaternion::Identity()};
   rig.make_model(0.0, pressed(-1e-3));
   rig.run(0.0, above, true);
   EXPECT_NEAR(rig.record.X_WT.p.y, 0.101, 1e-12);
-  const InterfaceCommand command = rig.run(kPeriod, pressed_grip, false);
+  const InterfaceCommand command = rig.run(kTickPeriod, pressed_grip, false);
   EXPECT_NEAR(rig.record.X_WT.p.y, 0.099, 1e-12);
   EXPECT_NEAR(rig.record.wrench.force.y, 9.0, 1e-3);
   EXPECT_NEAR(command.wrench.force.y(), 4.5, 1e-3);
   EXPECT_NEAR(rig.record.displayed.force.y, 9.0, 1e-3);
   ImpulseSums message;
   rig.tick->fill(message, 1);
-  EXPECT_NEAR(message.bodies[0].linear.y, -kPeriod * 9.0, 1e-6);
+  EXPECT_NEAR(message.bodies[0].linear.y, -kTickPeriod * 9.0, 1e-6);
 }
 
 TEST(HapticTick, TheSafetyStageActsInTheGripsUnits) {
   WorkspaceSettings workspace;
   workspace.force_scale = 10.0;
-  Rig rig(testing::cube_over_floor(), workspace);
+  TickRig rig(test::cube_over_floor(), workspace);
   rig.make_model(0.0, pressed(1e-3));
   const InterfaceCommand command = rig.run(0.0, pressed(1e-3), true);
   EXPECT_NEAR(command.wrench.force.norm(), 15.0, 1e-9) << "not 90";
@@ -213,32 +213,32 @@ TEST(HapticTick, TheSafetyStageActsInTheGripsUnits) {
 TEST(HapticTick, TheClutchButtonKeepsTheToolAndDisplaysNothing) {
   WorkspaceSettings workspace;
   workspace.clutch_button = 2;
-  Rig rig(testing::cube_over_floor(), workspace);
+  TickRig rig(test::cube_over_floor(), workspace);
   rig.make_model(0.0, pressed(1e-3));
   rig.run(0.0, pressed(1e-3), true);
   InterfaceState state;
   state.buttons = 1U << 2U;
   for (int i = 1; i <= 30; ++i) {
-    state.time = i * kPeriod;
+    state.time = i * kTickPeriod;
     state.X_WT = pressed(1e-3 + 1e-3 * i);
     (*rig.tick)(state, nullptr, {}, rig.record);
     ASSERT_EQ(rig.record.X_WT.p.y, 0.099);
   }
   EXPECT_EQ(rig.record.displayed.force.y, 0.0);
-  rig.run(31 * kPeriod, pressed(31e-3 - 5e-4), false);
+  rig.run(31 * kTickPeriod, pressed(31e-3 - 5e-4), false);
   EXPECT_NEAR(rig.record.X_WT.p.y, 0.0995, 1e-12) << "it goes on from where it was";
 }
 
 TEST(HapticTick, TheFirstPoseMayHoldTheToolWhereTheSceneHasIt) {
   WorkspaceSettings workspace;
   workspace.from_first_pose = true;
-  Rig rig(testing::cube_over_floor(), workspace);
+  TickRig rig(test::cube_over_floor(), workspace);
   InterfaceState state;
   state.X_WT = {{5.0, 6.0, 7.0}, rotation_from_vector({0.1, 0.2, 0.3})};
   const ToolState tool = rig.tick->begin(state, false);
   EXPECT_EQ(tool.X_WT.p, Vector3(0.0, 0.3, 0.0));
   state.X_WT.p.y() += 0.01;
-  state.time = kPeriod;
+  state.time = kTickPeriod;
   (*rig.tick)(state, nullptr, {}, rig.record);
   EXPECT_NEAR(rig.record.X_WT.p.y, 0.31, 1e-12);
   EXPECT_NEAR(rig.record.X_WT.w, 1.0, 1e-12);
@@ -247,30 +247,30 @@ TEST(HapticTick, TheFirstPoseMayHoldTheToolWhereTheSceneHasIt) {
 // A proxy over the floor, the pose below it: nothing may be rendered there before the model knows of it.
 TEST(HapticTick, AfterALeapTheMethodWaitsForAModelThatWasMadeThere) {
   SafetyLimits limits;
-  Rig rig(testing::cube_over_floor(), {}, "proxy", limits);
+  TickRig rig(test::cube_over_floor(), {}, "proxy", limits);
   rig.make_model(0.0, pressed(-1e-3));
-  for (int i = 0; i < 10; ++i) rig.run(i * kPeriod, pressed(-1e-3), i == 0);
-  rig.run(10 * kPeriod, pressed(0.15), false);
+  for (int i = 0; i < 10; ++i) rig.run(i * kTickPeriod, pressed(-1e-3), i == 0);
+  rig.run(10 * kTickPeriod, pressed(0.15), false);
   for (int i = 11; i < 80; ++i) {
-    rig.run(i * kPeriod, pressed(0.15), false);
+    rig.run(i * kTickPeriod, pressed(0.15), false);
     ASSERT_EQ(rig.record.wrench.force.y, 0.0);
     ASSERT_NEAR(rig.record.X_WP.p.y, 0.101, 1e-9) << "where it was";
     if (i > 65) {
       ASSERT_NEAR(rig.record.X_WT.p.y, -0.05, 1e-12) << "but physics learns where the hand is";
     }
   }
-  rig.make_model(80 * kPeriod, pressed(-1e-3));
-  for (int i = 80; i < 110; ++i) rig.run(i * kPeriod, pressed(0.15), i == 80);
+  rig.make_model(80 * kTickPeriod, pressed(-1e-3));
+  for (int i = 80; i < 110; ++i) rig.run(i * kTickPeriod, pressed(0.15), i == 80);
   EXPECT_NEAR(rig.record.X_WP.p.y, 0.1, 1e-4) << "on the floor";
   EXPECT_GT(rig.record.wrench.force.y, 1000.0);
   EXPECT_EQ(rig.record.displayed.force.y, 0.0) << "until the hand has come back";
 }
 
 TEST(HapticTick, AllocatesNothingEvenWhenModelsArrive) {
-  Rig rig;
+  TickRig rig;
   rig.make_model(0.0, pressed(1e-3));
-  const testing::AllocationCounter counter;
-  for (int i = 0; i < 200; ++i) rig.run(i * kPeriod, pressed(1e-3 * std::sin(0.1 * i)), i % 50 == 0);
+  const test::AllocationCounter counter;
+  for (int i = 0; i < 200; ++i) rig.run(i * kTickPeriod, pressed(1e-3 * std::sin(0.1 * i)), i % 50 == 0);
   EXPECT_EQ(counter.count(), 0u);
 }
 

@@ -11,20 +11,20 @@
 namespace tegotae {
 namespace {
 
-constexpr double kPeriod = 1e-3;
-constexpr double kPhysicsPeriod = 0.05;
+constexpr double kHeldPeriod = 1e-3;
+constexpr double kHeldPhysicsPeriod = 0.05;
 
 // The greatest change of force in a tick while the floor comes up under a held cube in steps of the physics.
 double greatest_step(std::string_view method, double& last) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies[0].moving_index = 0;
-  testing::FreeBodyWorld world(scene);
-  PhysicsLoop physics(world, {kPhysicsPeriod, 0.01}, ModelNeeds{});
+  test::FreeBodyWorld world(scene);
+  PhysicsLoop physics(world, {kHeldPhysicsPeriod, 0.01}, ModelNeeds{});
   SafetyLimits limits;
   const Tool& tool = world.geometry().tool;
   MethodSettings settings;
   settings.stiffness = 9000.0;
-  HapticTick tick(make_method(method, settings, world.geometry()), tool, limits, kPeriod);
+  HapticTick tick(make_method(method, settings, world.geometry()), tool, limits, kHeldPeriod);
   const Pose held{{0.0, 0.1, 0.0}, Quaternion::Identity()};
   auto model = std::make_unique<IntermediateRepresentation>();
   TickRecord record;
@@ -35,10 +35,10 @@ double greatest_step(std::string_view method, double& last) {
     if (fresh) {
       const int models = i / 50 + 1;
       world.body(0).X_WB.p.y() = -0.1 + 1e-4 * models;
-      physics.build(i * kPeriod, {held, {}}, *model);
+      physics.build(i * kHeldPeriod, {held, {}}, *model);
     }
     InterfaceState state;
-    state.time = i * kPeriod;
+    state.time = i * kHeldPeriod;
     state.X_WT = held;
     tick(state, fresh ? model.get() : nullptr, {}, record);
     const double force = record.wrench.force.y;
@@ -59,7 +59,7 @@ TEST(HeldModel, TheEarlierMethodsStepWithThePhysicsWhereThePaperInterpolates) {
 }
 
 TEST(HeldModel, OnlyMethodsThatSayItHoldTheirModel) {
-  const SceneGeometry scene = testing::cube_over_floor();
+  const SceneGeometry scene = test::cube_over_floor();
   EXPECT_FALSE(holds_model(make_method("paper", {}, scene)));
   for (const char* name : {"adachi", "berkelman", "otaduy-lin", "ortega"}) {
     EXPECT_TRUE(holds_model(make_method(name, {}, scene))) << name;

@@ -16,7 +16,7 @@
 namespace tegotae {
 namespace {
 
-constexpr double kDt = 1e-3;
+constexpr double kSumPeriod = 1e-3;
 
 Wrench random_wrench(std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-20.0, 20.0);
@@ -76,9 +76,9 @@ TEST(ImpulseSums, DifferencesAddUpToTheFinalSumOverRandomSkipping) {
     for (int tick = 1; tick <= kTicks; ++tick) {
       const int pushed = body(random);
       const Wrench wrench = random_wrench(random);
-      accumulator.add(pushed, wrench, kDt);
-      displayed[static_cast<std::size_t>(pushed)].linear += kDt * wrench.force;
-      displayed[static_cast<std::size_t>(pushed)].angular += kDt * wrench.torque;
+      accumulator.add(pushed, wrench, kSumPeriod);
+      displayed[static_cast<std::size_t>(pushed)].linear += kSumPeriod * wrench.force;
+      displayed[static_cast<std::size_t>(pushed)].angular += kSumPeriod * wrench.torque;
       accumulator.fill(message, kBodies);
       message.sequence = static_cast<std::uint64_t>(tick);
       const int taken = tick == kTicks ? 1 : std::max(0, pattern(random) - 7);  // 0: skipped, 2: repeated
@@ -102,11 +102,11 @@ TEST(ImpulseSums, DifferencesAddUpToTheFinalSumOverRandomSkipping) {
 TEST(ImpulseSums, AnHourDoesNotDrift) {
   constexpr long kTicks = 3'600'000;
   const Wrench wrench{Vector3(10.0, 3.3, -0.7), Vector3(0.1, 0.0, 0.0)};
-  const double tick_impulse = wrench.force.x() * kDt;
+  const double tick_impulse = wrench.force.x() * kSumPeriod;
   ImpulseAccumulator accumulator;
   double plain = 0.0;
   for (long i = 0; i < kTicks; ++i) {
-    accumulator.add(0, wrench, kDt);
+    accumulator.add(0, wrench, kSumPeriod);
     plain += tick_impulse;
   }
   ImpulseSums message;
@@ -123,7 +123,7 @@ TEST(ImpulseSums, AnHourDoesNotDrift) {
   std::vector<BodyImpulse> impulses(1);
   message.sequence = 1;
   differences.take(message, impulses);
-  accumulator.add(0, wrench, kDt);
+  accumulator.add(0, wrench, kSumPeriod);
   accumulator.fill(message, 1);
   message.sequence = 2;
   differences.take(message, impulses);
@@ -133,19 +133,19 @@ TEST(ImpulseSums, AnHourDoesNotDrift) {
 TEST(ImpulseSums, WhatCannotBeSummedIsCounted) {
   ImpulseAccumulator accumulator;
   const Wrench wrench{Vector3(1.0, 0.0, 0.0), Vector3::Zero()};
-  accumulator.add(-1, wrench, kDt);
-  accumulator.add(kMaxMovingBodies, wrench, kDt);
-  accumulator.add(0, {Vector3(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), Vector3::Zero()}, kDt);
-  accumulator.add(0, {Vector3::Zero(), Vector3(0.0, std::numeric_limits<double>::infinity(), 0.0)}, kDt);
+  accumulator.add(-1, wrench, kSumPeriod);
+  accumulator.add(kMaxMovingBodies, wrench, kSumPeriod);
+  accumulator.add(0, {Vector3(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), Vector3::Zero()}, kSumPeriod);
+  accumulator.add(0, {Vector3::Zero(), Vector3(0.0, std::numeric_limits<double>::infinity(), 0.0)}, kSumPeriod);
   accumulator.add(0, wrench, std::numeric_limits<double>::infinity());
   EXPECT_EQ(accumulator.dropped(), 5U);
-  accumulator.add(kMaxMovingBodies - 1, wrench, kDt);
+  accumulator.add(kMaxMovingBodies - 1, wrench, kSumPeriod);
   EXPECT_EQ(accumulator.dropped(), 5U);
   ImpulseSums message;
   accumulator.fill(message, 100'000);
   EXPECT_EQ(message.body_count, kMaxMovingBodies);
   EXPECT_EQ(message.bodies[0].linear.x, 0.0);
-  EXPECT_EQ(message.bodies[kMaxMovingBodies - 1].linear.x, kDt);
+  EXPECT_EQ(message.bodies[kMaxMovingBodies - 1].linear.x, kSumPeriod);
   accumulator.fill(message, -3);
   EXPECT_EQ(message.body_count, 0);
 }
@@ -197,9 +197,9 @@ TEST(ImpulseSums, AllocatesNothing) {
   const auto differences = std::make_unique<ImpulseDifferences>();
   const auto message = std::make_unique<ImpulseSums>();
   std::vector<BodyImpulse> impulses(kMaxMovingBodies);
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (std::uint64_t tick = 1; tick <= 100; ++tick) {
-    accumulator->add(7, {Vector3(1.0, 0.0, 0.0), Vector3::Zero()}, kDt);
+    accumulator->add(7, {Vector3(1.0, 0.0, 0.0), Vector3::Zero()}, kSumPeriod);
     accumulator->fill(*message, kMaxMovingBodies);
     message->sequence = tick;
     differences->take(*message, impulses);

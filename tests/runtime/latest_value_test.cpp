@@ -99,7 +99,7 @@ TEST(LatestValue, TwoThreadsSeeWholeValuesInOrderAndReachTheLast) {
 
 TEST(LatestValue, AllocatesNothingInOperation) {
   const auto exchange = std::make_unique<LatestValue<IntermediateRepresentation>>();
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (std::uint64_t i = 1; i <= 100; ++i) {
     exchange->begin_write().sequence = i;
     exchange->publish();

@@ -72,7 +72,7 @@ TEST(Mailbox, FreesWhatComesBackOnTheGiversSide) {
 TEST(Mailbox, TheReceiverAllocatesAndFreesNothing) {
   Mailbox<std::unique_ptr<int>> mailbox;
   mailbox.give(std::make_unique<int>(1));
-  const testing::AllocationCounter allocations;
+  const test::AllocationCounter allocations;
   auto* const envelope = mailbox.take();
   mailbox.give_back(envelope);
   EXPECT_EQ(mailbox.take(), nullptr);

@@ -13,19 +13,19 @@
 namespace tegotae {
 namespace {
 
-constexpr double kPeriod = 1e-3;
-constexpr double kDepth = 1e-3;  // m
+constexpr double kChangePeriod = 1e-3;
+constexpr double kPressDepth = 1e-3;  // m
 
-Pose pressed(double depth) { return {{0.0, 0.1 - depth, 0.0}, Quaternion::Identity()}; }
+Pose pressed_by(double depth) { return {{0.0, 0.1 - depth, 0.0}, Quaternion::Identity()}; }
 
-struct Rig {
-  explicit Rig(const char* method) : world(testing::cube_over_floor()), physics(world, {0.05, 0.01}, {true, false}) {
+struct ChangeRig {
+  explicit ChangeRig(const char* method) : world(test::cube_over_floor()), physics(world, {0.05, 0.01}, {true, false}) {
     limits = without_hand(limits);
-    limits.ramp_time = kPeriod;
+    limits.ramp_time = kChangePeriod;
     limits.force_rate = limits.torque_rate = 1e9;
     limits.max_force = 1e3;
-    tick = std::make_unique<HapticTick>(make(method), world.geometry().tool, limits, kPeriod);
-    physics.build(0.0, {pressed(-0.5e-3), {}}, *model);
+    tick = std::make_unique<HapticTick>(make(method), world.geometry().tool, limits, kChangePeriod);
+    physics.build(0.0, {pressed_by(-0.5e-3), {}}, *model);
   }
 
   RenderingMethod make(const char* method, double stiffness = 1000.0) const {
@@ -37,8 +37,8 @@ struct Rig {
   void run(int ticks, double depth) {
     for (int i = 0; i < ticks; ++i, ++count) {
       InterfaceState state;
-      state.time = kPeriod * count;
-      state.X_WT = pressed(depth);
+      state.time = kChangePeriod * count;
+      state.X_WT = pressed_by(depth);
       (*tick)(state, count == 0 ? model.get() : nullptr, {}, record);
     }
   }
@@ -46,7 +46,7 @@ struct Rig {
   // From above the floor to below it, so that methods with a proxy have it on top.
   void press() {
     run(1, -0.5e-3);
-    run(200, kDepth);
+    run(200, kPressDepth);
   }
 
   void change(RenderingMethod method) {
@@ -57,7 +57,7 @@ struct Rig {
 
   double force() const { return record.wrench.force.y; }
 
-  testing::FreeBodyWorld world;
+  test::FreeBodyWorld world;
   PhysicsLoop physics;
   SafetyLimits limits;
   std::unique_ptr<HapticTick> tick;
@@ -70,14 +70,14 @@ TEST(MethodChange, AnotherStiffnessIsFeltInTheNextTickByEveryMethod) {
   for (const MethodName& method : method_names()) {
     SCOPED_TRACE(method.name);
     const std::string name(method.name);
-    Rig rig(name.c_str());
+    ChangeRig rig(name.c_str());
     rig.press();
     const double before = rig.force();
     ASSERT_GT(before, 0.5);
     rig.change(rig.make(name.c_str(), 2000.0));
-    rig.run(1, kDepth);
+    rig.run(1, kPressDepth);
     // A simulated tool with mass takes some ticks.
-    if (name == "otaduy-lin") rig.run(500, kDepth);
+    if (name == "otaduy-lin") rig.run(500, kPressDepth);
     EXPECT_NEAR(rig.force(), 2.0 * before, 0.02 * before);
   }
 }
@@ -87,13 +87,13 @@ TEST(MethodChange, EveryMethodGoesOnFromWhereTheOtherLeftTheTool) {
     for (const MethodName& to : method_names()) {
       SCOPED_TRACE(std::string(from.name) + " to " + std::string(to.name));
       const std::string first(from.name), second(to.name);
-      Rig rig(first.c_str()), alone(second.c_str());
+      ChangeRig rig(first.c_str()), alone(second.c_str());
       rig.press();
       alone.press();
       rig.change(rig.make(second.c_str()));
       double least = 1e300, greatest = 0.0;
       for (int i = 0; i < 300; ++i) {
-        rig.run(1, kDepth);
+        rig.run(1, kPressDepth);
         least = std::min(least, rig.force());
         greatest = std::max(greatest, rig.force());
       }
@@ -107,25 +107,25 @@ TEST(MethodChange, EveryMethodGoesOnFromWhereTheOtherLeftTheTool) {
 }
 
 TEST(MethodChange, TheProxyStaysOnItsSideOfThePlate) {
-  Rig rig("ortega");
+  ChangeRig rig("ortega");
   rig.press();
   const double height = rig.record.X_WP.p.y;
   rig.change(rig.make("proxy"));
-  rig.run(1, kDepth);
+  rig.run(1, kPressDepth);
   EXPECT_NEAR(rig.record.X_WP.p.y, height, 1e-5);
-  EXPECT_GT(rig.force(), 0.9 * 1000.0 * kDepth);
+  EXPECT_GT(rig.force(), 0.9 * 1000.0 * kPressDepth);
 }
 
 TEST(MethodChange, FrictionChangesForWhatIsTouchedAlready) {
-  Rig rig("proxy");
+  ChangeRig rig("proxy");
   rig.press();
   MethodSettings slippery;
   slippery.friction = 0.0;
   rig.change(make_method("proxy", slippery, rig.world.geometry()));
   const auto pull = [&](double x) {
     InterfaceState state;
-    state.time = kPeriod * rig.count++;
-    state.X_WT = pressed(kDepth);
+    state.time = kChangePeriod * rig.count++;
+    state.X_WT = pressed_by(kPressDepth);
     state.X_WT.p.x() = x;
     (*rig.tick)(state, nullptr, {}, rig.record);
   };
@@ -142,7 +142,7 @@ TEST(ContactViewOfTick, ShowsPlanePointsAndWhatTheyPush) {
   for (const MethodName& method : method_names()) {
     SCOPED_TRACE(method.name);
     const std::string name(method.name);
-    Rig rig(name.c_str());
+    ChangeRig rig(name.c_str());
     ContactView view;
     rig.tick->view(view);
     EXPECT_EQ(view.plane_count + view.point_count, 0) << "before the first tick";
@@ -155,7 +155,7 @@ TEST(ContactViewOfTick, ShowsPlanePointsAndWhatTheyPush) {
     EXPECT_EQ(view.time, rig.record.time);
     double pushed = 0.0;
     for (const ViewedPoint& point : view.used_points()) {
-      EXPECT_LT(std::abs(point.p_W.y), 2.0 * kDepth + 0.2);
+      EXPECT_LT(std::abs(point.p_W.y), 2.0 * kPressDepth + 0.2);
       pushed += point.force;
     }
     EXPECT_NEAR(pushed, rig.force(), 0.02 * rig.force());

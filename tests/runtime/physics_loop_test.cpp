@@ -16,7 +16,7 @@ namespace {
 // A world of nothing but a geometry, right or wrong.
 class GeometryOnly : public World {
  public:
-  GeometryOnly(const std::vector<int>& moving_indices, int moving_count) : geometry_(testing::cube_over_floor()) {
+  GeometryOnly(const std::vector<int>& moving_indices, int moving_count) : geometry_(test::cube_over_floor()) {
     const Body block = geometry_.bodies.front();
     geometry_.bodies.clear();
     for (const int index : moving_indices) {

@@ -10,11 +10,11 @@
 namespace tegotae {
 namespace {
 
-constexpr double kPeriod = 1e-3;
+constexpr double kGuardPeriod = 1e-3;
 
 class Guarded {
  public:
-  PoseVerdict at(double x, double angle = 0.0, double elapsed = kPeriod) {
+  PoseVerdict at(double x, double angle = 0.0, double elapsed = kGuardPeriod) {
     InterfaceState state;
     state.X_WT = {{x, 0.0, 0.0}, rotation_from_vector({0.0, angle, 0.0})};
     return guard.judge(limits, state, elapsed);
@@ -36,10 +36,10 @@ TEST(PoseGuard, RefusesWhatIsNoPoseAndTakesTheNext) {
   EXPECT_EQ(guarded.at(std::nan("")), PoseVerdict::kFault);
   InterfaceState state;
   state.X_WT.q = Quaternion(0.0, 0.0, 0.0, 0.0);
-  EXPECT_EQ(guarded.guard.judge(guarded.limits, state, kPeriod), PoseVerdict::kFault);
+  EXPECT_EQ(guarded.guard.judge(guarded.limits, state, kGuardPeriod), PoseVerdict::kFault);
   state.X_WT.q = Quaternion::Identity();
   state.V_WT.angular.x() = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(guarded.guard.judge(guarded.limits, state, kPeriod), PoseVerdict::kFault);
+  EXPECT_EQ(guarded.guard.judge(guarded.limits, state, kGuardPeriod), PoseVerdict::kFault);
   EXPECT_EQ(guarded.at(1e-3), PoseVerdict::kGood) << "it is where the hand may have come meanwhile";
 }
 
@@ -89,7 +89,7 @@ TEST(PoseGuard, RefusesAnEnormousQuaternionAndAPlaceThatIsNone) {
   ASSERT_EQ(guarded.at(0.0), PoseVerdict::kGood);
   InterfaceState state;
   state.X_WT.q = Quaternion(1e160, 0.0, 0.0, 0.0);
-  EXPECT_EQ(guarded.guard.judge(guarded.limits, state, kPeriod), PoseVerdict::kFault);
+  EXPECT_EQ(guarded.guard.judge(guarded.limits, state, kGuardPeriod), PoseVerdict::kFault);
   for (int i = 0; i < 200; ++i) ASSERT_EQ(guarded.at(1e300), PoseVerdict::kFault);
 }
 

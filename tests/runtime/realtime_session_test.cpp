@@ -52,7 +52,7 @@ class SwayingHand : public HapticInterface {
 };
 
 SceneGeometry scene_with_a_loose_block() {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   Body block;
   block.name = "block";
   block.pieces = {make_box(Vector3(0.02, 0.02, 0.02))};
@@ -62,8 +62,8 @@ SceneGeometry scene_with_a_loose_block() {
   return scene;
 }
 
-struct Rig {
-  explicit Rig(double physics_period = 0.01)
+struct RealtimeRig {
+  explicit RealtimeRig(double physics_period = 0.01)
       : world(scene_with_a_loose_block(), 1000.0), physics(world, {physics_period, 0.005}, ModelNeeds{}) {
     const Tool& tool = world.geometry().tool;
     haptics = std::make_unique<HapticTick>(make_method("paper", {}, world.geometry()), tool, SafetyLimits{}, 1e-3);
@@ -73,7 +73,7 @@ struct Rig {
     return run_realtime(physics, *haptics, hand, 1e-3, duration, stop, observer);
   }
 
-  testing::FreeBodyWorld world;
+  test::FreeBodyWorld world;
   PhysicsLoop physics;
   std::unique_ptr<HapticTick> haptics;
   SwayingHand hand;
@@ -82,7 +82,7 @@ struct Rig {
 
 // Ten seconds of two threads; what the sanitizers watch.
 TEST(RealtimeSession, TwoThreadsRunAtTheirRatesAndTheLastCommandIsZero) {
-  Rig rig;
+  RealtimeRig rig;
   std::vector<TickRecord> records;
   const RealtimeReport report = rig.run(10.0, [&](const TickRecord& record) {
     records.push_back(record);
@@ -106,7 +106,7 @@ TEST(RealtimeSession, TwoThreadsRunAtTheirRatesAndTheLastCommandIsZero) {
 
 // An interface that does not stand still with the run.
 TEST(RealtimeSession, CommandsZeroToARealInterfaceWhilePaused) {
-  Rig rig;
+  RealtimeRig rig;
   LiveLink link;
   link.interface_waits = false;
   constexpr int kMostPasses = 6000;  // a failure then, not a hang
@@ -128,7 +128,7 @@ TEST(RealtimeSession, CommandsZeroToARealInterfaceWhilePaused) {
 }
 
 TEST(RealtimeSession, TellsWhoWatchesOnceWhatTheSystemGranted) {
-  Rig rig;
+  RealtimeRig rig;
   LiveLink link;
   int told = 0;
   bool haptic_fifo = false;
@@ -143,14 +143,14 @@ TEST(RealtimeSession, TellsWhoWatchesOnceWhatTheSystemGranted) {
 }
 
 TEST(RealtimeSession, EndsWhenTheObserverSaysSo) {
-  Rig rig;
+  RealtimeRig rig;
   int seen = 0;
   rig.run(3600.0, [&](const TickRecord&) { return ++seen < 20; });
   EXPECT_GE(seen, 20);
 }
 
 TEST(RealtimeSession, EndsWhenStopped) {
-  Rig rig;
+  RealtimeRig rig;
   rig.stop = true;
   const RealtimeReport report = rig.run(3600.0, [](const TickRecord&) { return true; });
   EXPECT_GT(report.haptics.count(), 0u);
@@ -158,7 +158,7 @@ TEST(RealtimeSession, EndsWhenStopped) {
 
 // A full disk or a terminal that stands still: the observer hangs, and the force must end all the same.
 TEST(RealtimeSession, StoppedWhileTheObserverHangsTheHandIsToldZeroAtOnce) {
-  Rig rig;
+  RealtimeRig rig;
   bool hung = false;
   double commanded = -1.0;
   rig.run(100.0, [&](const TickRecord& record) {
@@ -174,7 +174,7 @@ TEST(RealtimeSession, StoppedWhileTheObserverHangsTheHandIsToldZeroAtOnce) {
 }
 
 TEST(RealtimeSession, AnObserverThatThrowsEndsTheRunWithAZeroCommand) {
-  Rig rig;
+  RealtimeRig rig;
   EXPECT_THROW(rig.run(3600.0, [](const TickRecord&) -> bool { throw std::runtime_error("disk full"); }),
                std::runtime_error);
   EXPECT_EQ(rig.hand.last.wrench.force.norm(), 0.0);
@@ -182,7 +182,7 @@ TEST(RealtimeSession, AnObserverThatThrowsEndsTheRunWithAZeroCommand) {
 
 TEST(RealtimeSession, AnExceptionOfALinksCallbackEndsTheRunWithAZeroCommand) {
   for (const bool in_pass : {true, false}) {
-    Rig rig;
+    RealtimeRig rig;
     LiveLink link;
     int passes = 0;
     const auto fail = [] { throw std::runtime_error("the page is gone"); };
@@ -200,14 +200,14 @@ TEST(RealtimeSession, AnExceptionOfALinksCallbackEndsTheRunWithAZeroCommand) {
 }
 
 // A world whose first model cannot be made.
-class UnreadableWorld : public testing::FreeBodyWorld {
+class UnreadableWorld : public test::FreeBodyWorld {
  public:
   using FreeBodyWorld::FreeBodyWorld;
   void read_bodies(std::span<BodyState>) const override { throw std::runtime_error("no bodies"); }
 };
 
 TEST(RealtimeSession, ARunThatCannotBeginSaysZeroAllTheSame) {
-  UnreadableWorld world(testing::cube_over_floor());
+  UnreadableWorld world(test::cube_over_floor());
   PhysicsLoop physics(world, {0.01, 0.005}, ModelNeeds{});
   HapticTick haptics(make_method("paper", {}, world.geometry()), world.geometry().tool, SafetyLimits{}, 1e-3);
   SwayingHand hand;
@@ -233,7 +233,7 @@ void limit_memory(std::size_t more) {
 // In a child that has no memory for the stack of a thread.
 TEST(RealtimeSession, AThreadThatCannotBeStartedLeavesZero) {
   const auto child_ends_with = [] {
-    Rig rig;
+    RealtimeRig rig;
     rig.hand.last.wrench.force.x() = 1.0;
     // Stacks larger than any that the process keeps for reuse, and than what it may still have.
     pthread_attr_t attributes;
@@ -261,7 +261,7 @@ TEST(RealtimeSession, AThreadThatCannotBeStartedLeavesZero) {
 #endif
 
 // A world that fails after a few steps.
-class FailingWorld : public testing::FreeBodyWorld {
+class ThrowingWorld : public test::FreeBodyWorld {
  public:
   using FreeBodyWorld::FreeBodyWorld;
   void advance(double duration, const ToolState& tool, std::span<const BodyImpulse> impulses) override {
@@ -271,7 +271,7 @@ class FailingWorld : public testing::FreeBodyWorld {
 };
 
 TEST(RealtimeSession, WhenPhysicsFailsTheWrenchFadesAndTheReportSaysWhy) {
-  FailingWorld world(testing::cube_over_floor());
+  ThrowingWorld world(test::cube_over_floor());
   PhysicsLoop physics(world, {0.01, 0.005}, ModelNeeds{});
   SafetyLimits limits;
   limits.max_model_age = 0.05;
@@ -290,7 +290,7 @@ TEST(RealtimeSession, WhenPhysicsFailsTheWrenchFadesAndTheReportSaysWhy) {
 }
 
 TEST(RealtimeSession, WithALostInterfaceNothingIsCommanded) {
-  Rig rig;
+  RealtimeRig rig;
   rig.hand.status = InterfaceStatus::kLost;
   rig.run(0.5, [](const TickRecord&) { return true; });
   EXPECT_EQ(rig.hand.strongest, 0.0);

@@ -12,8 +12,8 @@
 namespace tegotae {
 namespace {
 
-using testing::TemporaryFolder;
-using testing::text_of;
+using test::TemporaryFolder;
+using test::text_of;
 
 struct Sample {
   double time = 0.0;

@@ -16,18 +16,18 @@
 namespace tegotae {
 namespace {
 
-using testing::random_unit;
+using test::random_unit;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDt = 1e-3;
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSafetyPeriod = 1e-3;
 
 Wrench push(double force, double torque) { return {Vector3(force, 0.0, 0.0), Vector3(0.0, torque, 0.0)}; }
 
 SafetyInput input_of(const Wrench& target) {
   SafetyInput input;
   input.target = target;
-  input.elapsed = kDt;
+  input.elapsed = kSafetyPeriod;
   return input;
 }
 
@@ -90,7 +90,7 @@ TEST(Safety, NoRampTimeMeansNoRamp) {
 
 TEST(Safety, WhatIsNoWrenchCountsAsZero) {
   const SafetyLimits limits;
-  for (const double bad : {kNaN, -kNaN, kInfinite, -kInfinite, 1.001 * kLargestWrench, -1e308}) {
+  for (const double bad : {kNotANumber, -kNotANumber, kUnbounded, -kUnbounded, 1.001 * kLargestWrench, -1e308}) {
     for (int component = 0; component < 6; ++component) {
       Wrench target = push(1.0, 0.1);
       (component < 3 ? target.force[component] : target.torque[component - 3]) = bad;
@@ -110,7 +110,7 @@ TEST(Safety, ForceAndTorqueGrowByTheirRatesAndReleaseFreely) {
   SafetyState state = running_state();
   const SafetyOutput grown = apply_safety(limits, state, input_of(push(1000.0, 100.0)));
   EXPECT_TRUE(grown.has(SafetyEvent::kRateLimited));
-  EXPECT_LE(grown.displayed.force.x(), limits.force_rate * kDt);
+  EXPECT_LE(grown.displayed.force.x(), limits.force_rate * kSafetyPeriod);
   SafetyLimits slow = limits;
   slow.force_rate = 1000.0;
   slow.torque_rate = 100.0;
@@ -127,8 +127,8 @@ TEST(Safety, DefaultRateLetsAStrikeOfOneMetreASecondThrough) {
   constexpr double kStiffness = 1000.0, kSpeed = 1.0;
   const SafetyLimits limits = safety_limits(InterfaceCapability(), kStiffness, 0.08, 0.05);
   SafetyState state = running_state();
-  for (int i = 1; kStiffness * kSpeed * i * kDt < limits.max_force; ++i) {
-    EXPECT_EQ(apply_safety(limits, state, input_of(push(kStiffness * kSpeed * i * kDt, 0.0))).events, 0U);
+  for (int i = 1; kStiffness * kSpeed * i * kSafetyPeriod < limits.max_force; ++i) {
+    EXPECT_EQ(apply_safety(limits, state, input_of(push(kStiffness * kSpeed * i * kSafetyPeriod, 0.0))).events, 0U);
   }
   EXPECT_TRUE(apply_safety(limits, state, input_of(push(1e3, 0.0))).has(SafetyEvent::kRateLimited));
 }
@@ -137,7 +137,7 @@ TEST(Safety, LateTickMayNotGrowTheWrenchByMoreThanOnePeriod) {
   SafetyLimits limits;
   limits.force_rate = 1000.0;
   limits.max_missed_ticks = std::numeric_limits<int>::max();
-  for (const double elapsed : {0.02, 1e9, kInfinite}) {
+  for (const double elapsed : {0.02, 1e9, kUnbounded}) {
     SafetyState state = running_state();
     SafetyInput input = input_of(push(10.0, 0.0));
     input.elapsed = elapsed;
@@ -145,7 +145,7 @@ TEST(Safety, LateTickMayNotGrowTheWrenchByMoreThanOnePeriod) {
     EXPECT_LE(displayed, 1.0 + 1e-12);
     EXPECT_NEAR(displayed, elapsed < 1.0 ? 1.0 : 0.0, 1e-12);
   }
-  for (const double elapsed : {0.0, -1.0, kNaN}) {
+  for (const double elapsed : {0.0, -1.0, kNotANumber}) {
     SafetyState state = running_state(push(0.5, 0.0));
     SafetyInput input = input_of(push(10.0, 0.0));
     input.elapsed = elapsed;
@@ -179,7 +179,7 @@ TEST(Safety, LatePhysicsIsHeldThenFadesToZeroWithinTheFadeTime) {
   double last_force = 10.0, last_torque = 0.8;
   const int ticks = static_cast<int>(std::round(limits.fade_time / limits.period));
   for (int i = 1; i <= ticks; ++i) {
-    input.model_age = limits.max_model_age + i * kDt;
+    input.model_age = limits.max_model_age + i * kSafetyPeriod;
     const SafetyOutput output = apply_safety(limits, state, input);
     EXPECT_TRUE(output.has(SafetyEvent::kPhysicsLate));
     EXPECT_LT(output.displayed.force.norm(), last_force);
@@ -204,7 +204,7 @@ TEST(Safety, FadeNeverRisesWhateverTheTargetAndTheClockDo) {
     for (int i = 0; i < 20; ++i) {
       SafetyInput input = input_of({magnitude(random) * random_unit(random), magnitude(random) * random_unit(random)});
       input.model_age = 1.0;
-      input.elapsed = clock_fails ? (run % 2 == 0 ? kNaN : 0.0) : elapsed(random);
+      input.elapsed = clock_fails ? (run % 2 == 0 ? kNotANumber : 0.0) : elapsed(random);
       const SafetyOutput output = apply_safety(limits, state, input);
       ASSERT_LE(output.displayed.force.norm(), last_force);
       ASSERT_LE(output.displayed.torque.norm(), last_torque);
@@ -226,12 +226,12 @@ TEST(Safety, PhysicsComingBackContinuesWithTheRampFromWhereTheFadeStood) {
   EXPECT_NEAR(state.displayed.force.x(), 5.0, 1e-12);
   input.model_age = 0.0;
   const SafetyOutput back = apply_safety(limits, state, input);
-  EXPECT_NEAR(back.displayed.force.x(), 10.0 * (0.5 + kDt / limits.ramp_time), 1e-12);
+  EXPECT_NEAR(back.displayed.force.x(), 10.0 * (0.5 + kSafetyPeriod / limits.ramp_time), 1e-12);
   EXPECT_TRUE(back.has(SafetyEvent::kRamping));
-  input.model_age = kInfinite;
+  input.model_age = kUnbounded;
   for (int i = 0; i < 25; ++i) apply_safety(limits, state, input);
   input.model_age = 0.0;
-  EXPECT_NEAR(apply_safety(limits, state, input).displayed.force.x(), 10.0 * kDt / limits.ramp_time, 1e-12);
+  EXPECT_NEAR(apply_safety(limits, state, input).displayed.force.x(), 10.0 * kSafetyPeriod / limits.ramp_time, 1e-12);
 }
 
 TEST(Safety, LostInterfaceAndEndingGiveZeroInTheSameCallAndRampAgain) {
@@ -253,7 +253,7 @@ TEST(Safety, LostInterfaceAndEndingGiveZeroInTheSameCallAndRampAgain) {
     }
     apply_safety(limits, state, input_of(Wrench()));
     const SafetyOutput back = apply_safety(limits, state, input_of(target));
-    EXPECT_NEAR(back.displayed.force.x(), 10.0 * 2.0 * kDt / limits.ramp_time, 1e-12);
+    EXPECT_NEAR(back.displayed.force.x(), 10.0 * 2.0 * kSafetyPeriod / limits.ramp_time, 1e-12);
   }
 }
 
@@ -281,7 +281,7 @@ TEST(Safety, TheRampWaitsForTheEndOfAPushOut) {
     ASSERT_EQ(apply_safety(limits, state, input).displayed.force, Vector3::Zero()) << "small as it is at first";
   }
   const SafetyOutput out = apply_safety(limits, state, input_of(push(10.0, 0.0)));
-  EXPECT_NEAR(out.displayed.force.x(), 10.0 * kDt / limits.ramp_time, 1e-12);
+  EXPECT_NEAR(out.displayed.force.x(), 10.0 * kSafetyPeriod / limits.ramp_time, 1e-12);
 }
 
 TEST(Safety, WithoutAHandTheRampIsShortAndBeginsAtOnce) {
@@ -317,7 +317,7 @@ TEST(Safety, WhatIsLetGoFadesAndThenBeginsAgain) {
       }
       apply_safety(limits, state, input_of(Wrench()));
       EXPECT_NEAR(apply_safety(limits, state, input_of(target)).displayed.force.x(),
-                  10.0 * 2.0 * kDt / limits.ramp_time, 1e-12);
+                  10.0 * 2.0 * kSafetyPeriod / limits.ramp_time, 1e-12);
     }
   }
 }
@@ -352,7 +352,8 @@ TEST(Safety, AFewMissedTicksAreCountedAndMoreAreFadedAfter) {
     EXPECT_NEAR(output.displayed.force.x(), 0.5 * i, 1e-12);
   }
   output = apply_safety(limits, state, input_of(target));
-  EXPECT_NEAR(output.displayed.force.x(), 10.0 * kDt / limits.ramp_time, 1e-12) << "and the ramp goes on from there";
+  EXPECT_NEAR(output.displayed.force.x(), 10.0 * kSafetyPeriod / limits.ramp_time, 1e-12)
+      << "and the ramp goes on from there";
   EXPECT_FALSE(output.has(SafetyEvent::kTickLate));
 }
 
@@ -363,7 +364,7 @@ TEST(Safety, AfterAChangeOfSettingsTheWrenchGrowsSlowly) {
   double last = 1.0;
   for (int i = 0; i < 467; ++i) {
     const double now = apply_safety(limits, state, input_of(push(15.0, 0.0))).displayed.force.x();
-    ASSERT_LE(now, last + limits.max_force / limits.calm_time * kDt + 1e-12);
+    ASSERT_LE(now, last + limits.max_force / limits.calm_time * kSafetyPeriod + 1e-12);
     last = now;
   }
   EXPECT_NEAR(last, 15.0, 1e-9) << "less than half a second";
@@ -398,7 +399,7 @@ TEST(Safety, NothingIsDisplayedBeforePhysicsHasCome) {
   const SafetyLimits limits;
   SafetyState state;
   SafetyInput input = input_of(push(10.0, 0.8));
-  for (const double age : {kInfinite, kNaN}) {
+  for (const double age : {kUnbounded, kNotANumber}) {
     input.model_age = age;
     for (int i = 0; i < 1000; ++i) EXPECT_EQ(apply_safety(limits, state, input).displayed.force, Vector3::Zero());
   }
@@ -440,7 +441,7 @@ TEST(Safety, OverwrittenLimitsOrStateLetNoNaNOut) {
         &SafetyLimits::metric_length, &SafetyLimits::ramp_below_force, &SafetyLimits::ramp_below_torque,
         &SafetyLimits::max_pose_age, &SafetyLimits::calm_time}) {
     SafetyLimits limits;
-    limits.*member = kNaN;
+    limits.*member = kNotANumber;
     expect_no_more_than_the_target(limits, input);
   }
   for (double EnergyBoundSettings::*member :
@@ -448,13 +449,13 @@ TEST(Safety, OverwrittenLimitsOrStateLetNoNaNOut) {
         &EnergyBoundSettings::own_damping, &EnergyBoundSettings::own_rotational_damping, &EnergyBoundSettings::carried,
         &EnergyBoundSettings::debt}) {
     SafetyLimits limits;
-    limits.energy_bound.*member = kNaN;
+    limits.energy_bound.*member = kNotANumber;
     expect_no_more_than_the_target(limits, input);
   }
-  SafetyState state = running_state({Vector3(kNaN, 0.0, 0.0), Vector3(0.0, kNaN, 0.0)});
+  SafetyState state = running_state({Vector3(kNotANumber, 0.0, 0.0), Vector3(0.0, kNotANumber, 0.0)});
   EXPECT_TRUE(apply_safety(SafetyLimits(), state, input).displayed.is_finite());
   state = running_state();
-  state.ramp = kNaN;
+  state.ramp = kNotANumber;
   EXPECT_TRUE(apply_safety(SafetyLimits(), state, input).displayed.is_finite());
   state.ramp = 1.0;
   EXPECT_TRUE(apply_safety(SafetyLimits(), state, input).displayed.is_finite());
@@ -531,7 +532,7 @@ TEST(Safety, AllocatesNothing) {
   BitSweep sweep(5);
   SafetyState state;
   const SafetyLimits limits;
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int i = 0; i < 1000; ++i) apply_safety(limits, state, sweep.input());
   EXPECT_EQ(counter.count(), 0U);
 }

@@ -35,7 +35,7 @@ class ScriptedInterface : public HapticInterface {
   std::function<Pose(double)> pose_;
 };
 
-std::vector<TickRecord> run(testing::FreeBodyWorld& world, HapticInterface& interface, double duration,
+std::vector<TickRecord> run(test::FreeBodyWorld& world, HapticInterface& interface, double duration,
                             double physics_period = 0.05) {
   PhysicsLoop physics(world, {physics_period, 0.01}, ModelNeeds{});
   MethodSettings settings;
@@ -50,11 +50,11 @@ std::vector<TickRecord> run(testing::FreeBodyWorld& world, HapticInterface& inte
   return records;
 }
 
-Pose pressed(double depth) { return {{0.0, 0.1 - depth, 0.0}, Quaternion::Identity()}; }
+Pose pressed_into(double depth) { return {{0.0, 0.1 - depth, 0.0}, Quaternion::Identity()}; }
 
 TEST(SimulatedSession, TicksCoverTheDurationFromZeroToItsEnd) {
-  testing::FreeBodyWorld world(testing::cube_over_floor());
-  ScriptedInterface interface([](double) { return pressed(0.0); });
+  test::FreeBodyWorld world(test::cube_over_floor());
+  ScriptedInterface interface([](double) { return pressed_into(0.0); });
   const auto records = run(world, interface, 0.25);
   ASSERT_EQ(records.size(), 251u);
   EXPECT_EQ(records.front().time, 0.0);
@@ -64,8 +64,8 @@ TEST(SimulatedSession, TicksCoverTheDurationFromZeroToItsEnd) {
 }
 
 TEST(SimulatedSession, AModelBecomesVisibleOnePeriodAfterItsState) {
-  testing::FreeBodyWorld world(testing::cube_over_floor());
-  ScriptedInterface interface([](double) { return pressed(0.0); });
+  test::FreeBodyWorld world(test::cube_over_floor());
+  ScriptedInterface interface([](double) { return pressed_into(0.0); });
   for (const TickRecord& record : run(world, interface, 0.2)) {
     EXPECT_GE(record.model_age, 0.05 - 1e-12);
     EXPECT_LT(record.model_age, 0.1);
@@ -73,17 +73,17 @@ TEST(SimulatedSession, AModelBecomesVisibleOnePeriodAfterItsState) {
 }
 
 TEST(SimulatedSession, TheFirstModelIsThereFromTheStart) {
-  testing::FreeBodyWorld world(testing::cube_over_floor());
-  ScriptedInterface interface([](double) { return pressed(1e-3); });
+  test::FreeBodyWorld world(test::cube_over_floor());
+  ScriptedInterface interface([](double) { return pressed_into(1e-3); });
   const auto records = run(world, interface, 0.01);
   EXPECT_NEAR(records.front().wrench.force.y, 0.5, 1e-4);
 }
 
 TEST(SimulatedSession, EachDisplayedImpulseReachesItsBodyOnceAndOnlyOnce) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies[0].moving_index = 0;
-  testing::FreeBodyWorld world(std::move(scene), 40.0);
-  ScriptedInterface interface([](double time) { return pressed(1e-3 * std::sin(20.0 * time)); });
+  test::FreeBodyWorld world(std::move(scene), 40.0);
+  ScriptedInterface interface([](double time) { return pressed_into(1e-3 * std::sin(20.0 * time)); });
   const auto records = run(world, interface, 1.0);
   // What was displayed before the last physics step (at 1.0 s) took its message.
   double displayed = 0.0;
@@ -97,11 +97,11 @@ TEST(SimulatedSession, EachDisplayedImpulseReachesItsBodyOnceAndOnlyOnce) {
 
 // The torque on a body is about where its centre of mass is when physics applies it.
 TEST(SimulatedSession, AngularImpulseIsAboutTheBodysPresentCentre) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies[0].moving_index = 0;
-  testing::FreeBodyWorld world(std::move(scene), 1e9);
+  test::FreeBodyWorld world(std::move(scene), 1e9);
   world.body(0).V_WB.linear.x() = 0.2;
-  ScriptedInterface interface([](double) { return pressed(1e-3); });
+  ScriptedInterface interface([](double) { return pressed_into(1e-3); });
   run(world, interface, 1.0);
   // Pushed down at x = 0 while the centre slides to x = 0.2 m: (0 - x) x f summed over the second, f = 0.5 N.
   double expected = 0.0;
@@ -110,8 +110,8 @@ TEST(SimulatedSession, AngularImpulseIsAboutTheBodysPresentCentre) {
 }
 
 TEST(SimulatedSession, PhysicsFasterThanHapticsKeepsUp) {
-  testing::FreeBodyWorld world(testing::cube_over_floor());
-  ScriptedInterface interface([](double) { return pressed(0.0); });
+  test::FreeBodyWorld world(test::cube_over_floor());
+  ScriptedInterface interface([](double) { return pressed_into(0.0); });
   const auto records = run(world, interface, 0.1, 2e-4);
   EXPECT_EQ(world.steps, 501);
   EXPECT_LT(records.back().model_age, 1e-3);
@@ -126,8 +126,8 @@ TEST(SimulatedSession, AnInterfaceThatCannotBeCommandedIsLost) {
       return InterfaceStatus::kLost;
     }
   };
-  testing::FreeBodyWorld world(testing::cube_over_floor());
-  Deaf interface([](double) { return pressed(1e-3); });
+  test::FreeBodyWorld world(test::cube_over_floor());
+  Deaf interface([](double) { return pressed_into(1e-3); });
   for (const TickRecord& record : run(world, interface, 0.5)) {
     if (record.time > 0.0) {
       ASSERT_EQ(Vector3(record.displayed.force).norm(), 0.0);
@@ -137,7 +137,7 @@ TEST(SimulatedSession, AnInterfaceThatCannotBeCommandedIsLost) {
 
 // A tool set down between two free blocks, both inside it: the hand feels nothing of it, and they are not shot away.
 TEST(SimulatedSession, BlocksThatSqueezeTheToolStay) {
-  SceneGeometry scene = testing::cube_over_floor();
+  SceneGeometry scene = test::cube_over_floor();
   scene.bodies.clear();
   for (const double side : {-1.0, 1.0}) {
     Body block;
@@ -146,17 +146,17 @@ TEST(SimulatedSession, BlocksThatSqueezeTheToolStay) {
     block.moving_index = static_cast<int>(scene.bodies.size());
     scene.bodies.push_back(block);
   }
-  testing::FreeBodyWorld world(std::move(scene), 0.8);
-  ScriptedInterface interface([](double) { return pressed(0.0); });
+  test::FreeBodyWorld world(std::move(scene), 0.8);
+  ScriptedInterface interface([](double) { return pressed_into(0.0); });
   run(world, interface, 1.0);
   for (int i = 0; i < 2; ++i) EXPECT_LT(world.body(i).V_WB.linear.norm(), 0.1);
 }
 
 TEST(SimulatedSession, RepeatsBitForBit) {
   const auto once = [] {
-    SceneGeometry scene = testing::cube_over_floor();
+    SceneGeometry scene = test::cube_over_floor();
     scene.bodies[0].moving_index = 0;
-    testing::FreeBodyWorld world(std::move(scene), 40.0);
+    test::FreeBodyWorld world(std::move(scene), 40.0);
     ScriptedInterface interface([](double time) {
       return Pose{{0.01 * std::sin(time), 0.1 + 0.002 * std::cos(30.0 * time), 0.0},
                   rotation_from_vector({0.02 * std::sin(7.0 * time), 0.0, 0.03 * std::sin(11.0 * time)})};
@@ -174,8 +174,8 @@ TEST(SimulatedSession, RepeatsBitForBit) {
 }
 
 TEST(SimulatedSession, TheObserverEndsTheRun) {
-  testing::FreeBodyWorld world(testing::cube_over_floor());
-  ScriptedInterface interface([](double) { return pressed(0.0); });
+  test::FreeBodyWorld world(test::cube_over_floor());
+  ScriptedInterface interface([](double) { return pressed_into(0.0); });
   PhysicsLoop physics(world, {0.05, 0.01}, ModelNeeds{});
   HapticTick tick(make_method("paper", {}, world.geometry()), world.geometry().tool, without_hand({}), 1e-3);
   int seen = 0;
@@ -184,17 +184,17 @@ TEST(SimulatedSession, TheObserverEndsTheRun) {
 }
 
 TEST(PhysicsLoop, RefusesWhatItCannotRun) {
-  testing::FreeBodyWorld world(testing::cube_over_floor());
+  test::FreeBodyWorld world(test::cube_over_floor());
   EXPECT_THROW(PhysicsLoop(world, {0.0, 0.01}, ModelNeeds{}), std::invalid_argument);
   EXPECT_THROW(PhysicsLoop(world, {0.05, -1.0}, ModelNeeds{}), std::invalid_argument);
-  SceneGeometry crowded = testing::cube_over_floor();
+  SceneGeometry crowded = test::cube_over_floor();
   for (int i = 0; i <= kMaxMovingBodies; ++i) {
     Body body;
     body.pieces = {make_sphere(0.01)};
     body.moving_index = i;
     crowded.bodies.push_back(body);
   }
-  testing::FreeBodyWorld too_many(std::move(crowded));
+  test::FreeBodyWorld too_many(std::move(crowded));
   EXPECT_THROW(PhysicsLoop(too_many, {0.05, 0.01}, ModelNeeds{}), std::invalid_argument);
 }
 

@@ -101,7 +101,7 @@ TEST(SpscRing, TwoThreadsLoseNothingThatWasPushed) {
 TEST(SpscRing, PushAllocatesNothing) {
   SpscRing<Record> ring(16);
   const Record record = record_of(1);
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int i = 0; i < 100; ++i) ring.push(record);
   EXPECT_EQ(counter.count(), 0U);
   EXPECT_EQ(ring.dropped(), 84U);

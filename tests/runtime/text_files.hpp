@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// A folder of its own for one test, removed with all that it holds at the end.
 class TemporaryFolder {
@@ -38,4 +38,4 @@ inline std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -11,8 +11,8 @@
 namespace tegotae {
 namespace {
 
-using testing::random_unit;
-using testing::random_vector;
+using test::random_unit;
+using test::random_vector;
 
 double log_uniform(std::mt19937_64& random, double low_power, double high_power) {
   return std::pow(10.0, std::uniform_real_distribution<double>(low_power, high_power)(random));

@@ -13,7 +13,7 @@
 namespace tegotae {
 namespace {
 
-using testing::random_unit;
+using test::random_unit;
 
 class Random {
  public:
@@ -183,7 +183,7 @@ TEST(WorkspaceMapping, WhatIsFeltOfAStiffnessFollowsFromPowerAndScales) {
 TEST(WorkspaceMapping, AllocatesNothing) {
   Random random(8);
   WorkspaceMapping mapping(random.settings(), random.pose());
-  const testing::AllocationCounter counter;
+  const test::AllocationCounter counter;
   for (int i = 0; i < 1000; ++i) mapping.to_device(Wrench{mapping.to_world(at(random.pose()), i % 7 == 0).X_WT.p, {}});
   EXPECT_EQ(counter.count(), 0U);
 }

@@ -63,7 +63,7 @@ TEST(ConvexHull, CubeHasSixQuadFaces) {
 TEST(ConvexHull, RandomHullsAreWellFormedAndKeepTheirExtremePoints) {
   std::mt19937_64 random(11);
   for (int count = 4; count < 400; count += 7) {
-    const auto points = testing::random_hull_points(random, count, 0.1);
+    const auto points = test::random_hull_points(random, count, 0.1);
     const Polytope hull = convex_hull(points);
     EXPECT_EQ(hull.vertices.size(), points.size());
     expect_well_formed(hull, 0.4);

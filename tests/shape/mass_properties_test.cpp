@@ -20,7 +20,7 @@ TEST(MassProperties, CubeGyrationLengthIsEdgeOverRootSix) {
 
 TEST(MassProperties, HullOfABoxIsTheBox) {
   std::mt19937_64 random(31);
-  const Pose X_BS = testing::random_pose(random, 0.3);
+  const Pose X_BS = test::random_pose(random, 0.3);
   const Shape box = make_box({0.1, 0.2, 0.3}, X_BS);
   const Shape hull = make_hull(box.polytope->vertices, X_BS);
   const MassProperties a = mass_properties(box, 500.0), b = mass_properties(hull, 500.0);

@@ -15,16 +15,16 @@ namespace {
 std::vector<Shape> one_of_each(std::mt19937_64& random) {
   return {make_box({0.1, 0.2, 0.3}),       make_sphere(0.2),
           make_capsule(0.1, 0.2),          make_cylinder(0.1, 0.2),
-          make_ellipsoid({0.1, 0.2, 0.3}), make_hull(testing::random_hull_points(random, 60, 0.3))};
+          make_ellipsoid({0.1, 0.2, 0.3}), make_hull(test::random_hull_points(random, 60, 0.3))};
 }
 
 TEST(Support, HullIsTheBestVertexFromAnyStart) {
   std::mt19937_64 random(21);
-  const Shape hull = make_hull(testing::random_hull_points(random, 230, 0.1));
+  const Shape hull = make_hull(test::random_hull_points(random, 230, 0.1));
   const auto& vertices = hull.polytope->vertices;
   std::uniform_int_distribution<int> any(0, static_cast<int>(vertices.size()) - 1);
   for (int i = 0; i < 2000; ++i) {
-    const Vector3 d = testing::random_unit(random);
+    const Vector3 d = test::random_unit(random);
     double best = -1.0;
     for (const auto& v : vertices) best = std::max(best, d.dot(v));
     EXPECT_EQ(d.dot(support(hull, d, any(random)).p), best);
@@ -35,7 +35,7 @@ TEST(Support, BoxVertexNumbersAreThoseOfItsPolytope) {
   std::mt19937_64 random(22);
   const Shape box = make_box({0.1, 0.2, 0.3});
   for (int i = 0; i < 100; ++i) {
-    const SupportPoint s = support(box, testing::random_unit(random));
+    const SupportPoint s = support(box, test::random_unit(random));
     EXPECT_EQ(s.p, box.polytope->vertices[static_cast<size_t>(s.vertex)]);
   }
 }
@@ -47,7 +47,7 @@ TEST(Support, CurvedShapesEncloseTheirStandInsByTheStatedError) {
   for (const Shape& shape : one_of_each(random)) {
     double worst = 0.0;
     for (int i = 0; i < 3000; ++i) {
-      const Vector3 d = testing::random_unit(random);
+      const Vector3 d = test::random_unit(random);
       double stand_in = -1.0;
       for (const auto& v : shape.polytope->vertices) stand_in = std::max(stand_in, d.dot(v));
       const double gap = d.dot(support(shape, d).p) - stand_in;
@@ -73,8 +73,8 @@ TEST(Support, ClosedForms) {
 TEST(BoundingBox, IsTightAroundTheSupportPoints) {
   std::mt19937_64 random(24);
   for (Shape shape : one_of_each(random)) {
-    shape.X_BS = testing::random_pose(random, 0.2);
-    const Pose X_WB = testing::random_pose(random, 1.0);
+    shape.X_BS = test::random_pose(random, 0.2);
+    const Pose X_WB = test::random_pose(random, 1.0);
     const BoundingBox box = bounding_box(shape, X_WB);
     const Pose X_WS = X_WB * shape.X_BS;
     for (int axis = 0; axis < 3; ++axis) {

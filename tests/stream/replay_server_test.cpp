@@ -36,17 +36,17 @@ std::filesystem::path a_recording(const TemporaryFolder& folder) {
 }
 
 /// A replay on a thread of its own, and a server for it, as the command `replay` has them.
-class Served {
+class ServedReplay {
  public:
-  Served() : server_(options()), view_(a_recording(folder_), output()) {
+  ServedReplay() : server_(options()), view_(a_recording(folder_), output()) {
     server_.start({[this](ViewerId viewer) { view_.inbox().joined(viewer); },
                    [this](ViewerId viewer, std::string_view text) { view_.inbox().received(viewer, text); },
                    [this](ViewerId viewer) { view_.inbox().left(viewer); }});
     thread_ = std::thread([this] { view_.run(stop_); });
   }
-  Served(const Served&) = delete;
-  Served& operator=(const Served&) = delete;
-  ~Served() { end(); }
+  ServedReplay(const ServedReplay&) = delete;
+  ServedReplay& operator=(const ServedReplay&) = delete;
+  ~ServedReplay() { end(); }
 
   void end() {
     if (!thread_.joinable()) return;
@@ -76,14 +76,14 @@ class Served {
   std::thread thread_;
 };
 
-Json next(testing::WebSocketClient& client) {
+Json next(test::WebSocketClient& client) {
   const std::optional<std::string> text = client.read();
   return text ? Json::parse(*text) : Json{{"type", "closed"}};
 }
 
 // The first state from here on that `is_wanted`; fails where a minute's worth of them has none.
 template <class Wanted>
-Json state_where(testing::WebSocketClient& client, const Wanted& is_wanted) {
+Json state_where(test::WebSocketClient& client, const Wanted& is_wanted) {
   for (int i = 0; i < 3600; ++i) {
     Json message = next(client);
     if (message["type"] == "closed") break;
@@ -94,8 +94,8 @@ Json state_where(testing::WebSocketClient& client, const Wanted& is_wanted) {
 }
 
 TEST(ReplayServer, AViewerPlaysPausesAndGoesToATime) {
-  Served served;
-  testing::WebSocketClient client(served.port());
+  ServedReplay served;
+  test::WebSocketClient client(served.port());
   ASSERT_EQ(client.status(), 101U);
   EXPECT_EQ(next(client)["type"], "welcome");
   const Json scene = next(client);
@@ -115,13 +115,13 @@ TEST(ReplayServer, AViewerPlaysPausesAndGoesToATime) {
 }
 
 TEST(ReplayServer, SaysTheEndToAllThatLook) {
-  Served served;
-  testing::WebSocketClient first(served.port()), second(served.port());
-  for (testing::WebSocketClient* client : {&first, &second}) {
+  ServedReplay served;
+  test::WebSocketClient first(served.port()), second(served.port());
+  for (test::WebSocketClient* client : {&first, &second}) {
     state_where(*client, [](const Json& state) { return state["viewers"] == 2; });
   }
   served.end();
-  for (testing::WebSocketClient* client : {&first, &second}) {
+  for (test::WebSocketClient* client : {&first, &second}) {
     Json message = next(*client), last;
     while (message["type"] != "closed") last = std::exchange(message, next(*client));
     EXPECT_EQ(last, Json::parse(R"({"type":"end","text":"enough."})"));

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-SceneGeometry a_scene() {
+SceneGeometry scene_of_message() {
   SceneGeometry scene;
   scene.tool.name = "tool";
   scene.tool.pieces.push_back(make_box({0.1, 0.2, 0.3}, {{0.0, 0.0, 1.0}, Quaternion::Identity()}));
@@ -42,7 +42,7 @@ SceneNames some_names() {
 }
 
 TEST(SceneMessage, SaysWhatTheProtocolHas) {
-  const Json scene = Json::parse(encode_scene(a_scene(), some_names()));
+  const Json scene = Json::parse(encode_scene(scene_of_message(), some_names()));
   EXPECT_EQ(scene["type"], "scene");
   EXPECT_EQ(scene["protocol"], 1);
   EXPECT_EQ(scene["mode"], "live");
@@ -58,11 +58,11 @@ TEST(SceneMessage, SaysWhatTheProtocolHas) {
 }
 
 TEST(SceneMessage, SaysToolAndBodies) {
-  const Json scene = Json::parse(encode_scene(a_scene(), some_names()));
+  const Json scene = Json::parse(encode_scene(scene_of_message(), some_names()));
   const Json& tool = scene["tool"];
   EXPECT_EQ(tool["name"], "tool");
   EXPECT_EQ(tool["centre_of_mass"], Json::parse("[0,0,1]"));
-  EXPECT_NEAR(tool["gyration_length"], a_scene().tool.mass.gyration_length(), 1e-7);
+  EXPECT_NEAR(tool["gyration_length"], scene_of_message().tool.mass.gyration_length(), 1e-7);
   EXPECT_EQ(tool["shapes"], Json::parse(R"([{"kind": "box", "size": [0.1, 0.2, 0.3], "pose": [0, 0, 1, 1, 0, 0, 0],
                                              "colour": [0.82, 0.47, 0.1, 0.5]}])"));
   ASSERT_EQ(scene["bodies"].size(), 2U);
@@ -77,7 +77,7 @@ TEST(SceneMessage, SaysToolAndBodies) {
 
 // The divergence theorem: triangles that close a surface and run counter-clockwise from outside enclose its volume.
 TEST(SceneMessage, TrianglesOfAHullEncloseIt) {
-  const Json hull = Json::parse(encode_scene(a_scene(), some_names()))["bodies"][1]["shapes"][0];
+  const Json hull = Json::parse(encode_scene(scene_of_message(), some_names()))["bodies"][1]["shapes"][0];
   const auto numbers = hull["vertices"].get<std::vector<double>>();
   const auto corners = hull["triangles"].get<std::vector<std::size_t>>();
   ASSERT_EQ(numbers.size(), 15U);
@@ -98,7 +98,7 @@ TEST(SceneMessage, SaysTheDurationOfAReplay) {
   SceneNames names = some_names();
   names.mode = "replay";
   names.duration = 12.5;
-  const Json scene = Json::parse(encode_scene(a_scene(), names));
+  const Json scene = Json::parse(encode_scene(scene_of_message(), names));
   EXPECT_EQ(scene["mode"], "replay");
   EXPECT_EQ(scene["duration"], 12.5);
 }

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 inline SharedText shared(std::string text) { return std::make_shared<const std::string>(std::move(text)); }
 
@@ -80,4 +80,4 @@ class Served {
   ViewerServer server;  ///< last: ends before what its callbacks use
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

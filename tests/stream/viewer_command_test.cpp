@@ -183,7 +183,7 @@ class Mutator {
 TEST(ViewerCommand, WhateverTheBytesTheAnswerIsACommandOrASentence) {
   Mutator mutator;
   int understood = 0, refused = 0;
-  for (int i = 0; i < testing::sweep_size(200000); ++i) {
+  for (int i = 0; i < test::sweep_size(200000); ++i) {
     const std::string message = mutator.mutated(kValid[static_cast<std::size_t>(mutator.below(kValid.size()))]);
     const ParsedCommand result = parse_viewer_command(message);
     ASSERT_NE(result.command.has_value(), !result.error.empty()) << message;
@@ -196,7 +196,7 @@ TEST(ViewerCommand, WhateverTheBytesTheAnswerIsACommandOrASentence) {
 
 TEST(ViewerCommand, RandomBytesAreRefused) {
   std::mt19937 random(7);
-  for (int i = 0; i < testing::sweep_size(20000); ++i) {
+  for (int i = 0; i < test::sweep_size(20000); ++i) {
     std::string message(random() % 200, '\0');
     for (char& c : message) c = static_cast<char>(random() & 0xffU);
     EXPECT_FALSE(parse_viewer_command(message).command.has_value());

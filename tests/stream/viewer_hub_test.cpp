@@ -14,9 +14,9 @@
 namespace tegotae {
 namespace {
 
+using test::shared;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-using testing::shared;
 
 class ViewerHubTest : public ::testing::Test {
  protected:

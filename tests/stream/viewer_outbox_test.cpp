@@ -12,7 +12,7 @@
 namespace tegotae {
 namespace {
 
-using testing::shared;
+using test::shared;
 
 // All that goes, in order; a close order as "close CODE", once.
 std::vector<std::string> drain(ViewerOutbox& outbox) {

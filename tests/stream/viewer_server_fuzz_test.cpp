@@ -17,12 +17,12 @@
 namespace tegotae {
 namespace {
 
-using testing::RawClient;
-using testing::Served;
-using testing::shared;
-using testing::sweep_size;
-using testing::test_options;
-using testing::WebSocketClient;
+using test::RawClient;
+using test::Served;
+using test::shared;
+using test::sweep_size;
+using test::test_options;
+using test::WebSocketClient;
 
 // A server and a viewer that keeps to the rules, and must get a new state after whatever others do.
 class ViewerServerFuzz : public ::testing::Test {

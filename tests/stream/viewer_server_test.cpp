@@ -22,15 +22,15 @@ namespace tegotae {
 namespace {
 
 using namespace std::chrono_literals;
+using test::RawClient;
+using test::Served;
+using test::shared;
+using test::test_options;
+using test::WebSocketClient;
+using test::WebSocketRequest;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::RawClient;
-using testing::Served;
-using testing::shared;
-using testing::test_options;
 using ::testing::ThrowsMessage;
-using testing::WebSocketClient;
-using testing::WebSocketRequest;
 
 // Large enough that the system holds but a few for one who does not read.
 constexpr std::size_t kLarge = 256 * 1024;
@@ -185,7 +185,7 @@ TEST(ViewerServer, ASlowViewerGetsTheNewestState) {
   WebSocketClient fast(served.server.port());
   served.wait_for("joined 2");
   std::vector<std::weak_ptr<const std::string>> states;
-  const int count = testing::sweep_size(1000) + 100;
+  const int count = test::sweep_size(1000) + 100;
   for (int i = 1; i <= count; ++i) {
     states.push_back(publish_large(served.server, i));
     ASSERT_EQ(number_of(fast.read()), i);

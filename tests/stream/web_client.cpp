@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 namespace {
 
 namespace asio = boost::asio;
@@ -196,4 +196,4 @@ void WebSocketClient::close() {
 
 void WebSocketClient::reset() { reset_socket(implementation_->socket.next_layer()); }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

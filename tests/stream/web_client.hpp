@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 struct HttpReply {
   unsigned status = 0;                         ///< 0: the connection was closed without a reply
@@ -70,4 +70,4 @@ class WebSocketClient {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

@@ -6,10 +6,10 @@
 namespace tegotae {
 namespace {
 
-using testing::kFloor;
-using testing::kTool;
+using test::kFloor;
+using test::kTool;
 
-class BadScene : public testing::SceneFiles {
+class BadScene : public test::SceneFiles {
  protected:
   // One line that holds each of the parts.
   static void expect_says(const std::string& message, const std::vector<std::string>& parts) {

@@ -6,12 +6,12 @@
 namespace tegotae {
 namespace {
 
-using testing::kFloor;
-using testing::kTool;
-using testing::no_impulses;
-using testing::states_of;
+using test::kFloor;
+using test::kTool;
+using test::no_impulses;
+using test::states_of;
 
-class ContactRules : public testing::SceneFiles {
+class ContactRules : public test::SceneFiles {
  protected:
   // Which bodies each piece of the tool may touch, by name.
   static std::vector<std::map<std::string, bool>> touches(const MujocoWorld& world) {

@@ -17,7 +17,7 @@ struct Surface {
   int condim, priority;
 };
 
-class FrictionRuleScene : public testing::SceneFiles {
+class FrictionRuleScene : public test::SceneFiles {
  protected:
   // A ball sunk into a floor; `motion` says how the ball's body is held.
   static std::string scene(const Surface& ball, const Surface& floor, const std::string& attribute,

@@ -8,7 +8,7 @@
 namespace tegotae {
 namespace {
 
-class GeomShape : public testing::SceneFiles {};
+class GeomShape : public test::SceneFiles {};
 
 // One geom of each kind on a static, a moving and a tool body, all turned and shifted.
 const std::string kAllKinds = R"(
@@ -187,7 +187,7 @@ TEST_F(GeomShape, NonConvexMeshesAreUsedAsTheirHullWithAWarning) {
       0 0 1 2 0 1 2 1 1 1 1 1 1 2 1 0 2 1" face="0 2 1 0 3 2 0 4 3 0 5 4 6 7 8 6 8 9 6 9 10 6 10 11
       0 1 7 0 7 6 1 2 8 1 8 7 2 3 9 2 9 8 3 4 10 3 10 9 4 5 11 4 11 10 5 0 6 5 6 11"/></asset>)";
   const auto world =
-      load(prism + "<worldbody>" + testing::kTool + R"(<geom name="corner" type="mesh" mesh="L"/></worldbody>)");
+      load(prism + "<worldbody>" + test::kTool + R"(<geom name="corner" type="mesh" mesh="L"/></worldbody>)");
   ASSERT_EQ(world->warnings().size(), 1U);
   const std::string& warning = world->warnings()[0];
   for (const char* part : {"scene.xml", "geom 'corner'", "not convex", "hull"}) {
@@ -200,19 +200,19 @@ TEST_F(GeomShape, NonConvexMeshesAreUsedAsTheirHullWithAWarning) {
 TEST_F(GeomShape, ADentWithoutInnerVerticesIsFound) {
   const std::string dented = R"(<asset><mesh name="dent" vertex="0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1.2 0 1 1.0"
       face="0 2 1 0 3 2 4 5 7 5 6 7 0 1 5 0 5 4 1 2 6 1 6 5 2 3 7 2 7 6 3 0 4 3 4 7"/></asset>)";
-  const auto world = load(dented + "<worldbody>" + testing::kTool + R"(<geom type="mesh" mesh="dent"/></worldbody>)");
+  const auto world = load(dented + "<worldbody>" + test::kTool + R"(<geom type="mesh" mesh="dent"/></worldbody>)");
   ASSERT_EQ(world->warnings().size(), 1U);
   EXPECT_NE(world->warnings()[0].find("geom 0 of body 'world'"), std::string::npos) << world->warnings()[0];
 }
 
 TEST_F(GeomShape, HeightFieldsAreRefusedUnlessTheyAreOnlySeen) {
   const std::string field = R"(<asset><hfield name="hills" nrow="3" ncol="3" size="1 1 0.1 0.1"/></asset>)";
-  const std::string refused = refusal(field + "<worldbody>" + testing::kTool +
-                                      R"(<geom name="land" type="hfield" hfield="hills"/></worldbody>)");
+  const std::string refused =
+      refusal(field + "<worldbody>" + test::kTool + R"(<geom name="land" type="hfield" hfield="hills"/></worldbody>)");
   for (const char* part : {"scene.xml", "geom 'land'", "height fields", "boxes or convex meshes"}) {
     EXPECT_NE(refused.find(part), std::string::npos) << refused;
   }
-  EXPECT_EQ(refusal(field + "<worldbody>" + testing::kTool + testing::kFloor +
+  EXPECT_EQ(refusal(field + "<worldbody>" + test::kTool + test::kFloor +
                     R"(<geom type="hfield" hfield="hills" contype="0" conaffinity="0"/></worldbody>)"),
             "");
 }

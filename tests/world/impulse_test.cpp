@@ -7,11 +7,11 @@
 namespace tegotae {
 namespace {
 
-using testing::kTool;
-using testing::no_impulses;
-using testing::states_of;
+using test::kTool;
+using test::no_impulses;
+using test::states_of;
 
-class Impulse : public testing::SceneFiles {
+class Impulse : public test::SceneFiles {
  protected:
   // A ball with its centre of mass at the body's origin: its momenta are m v and I w, exactly.
   std::unique_ptr<MujocoWorld> ball_in_space(const std::string& option = "") const {
@@ -34,7 +34,7 @@ TEST_F(Impulse, IsAppliedOnceAndOnlyOnce) {
     const auto world = ball_in_space(option);
     BodyImpulse sum;
     for (const double duration : {0.05, 0.002, 0.001, 0.0123, 0.0007, 0.02}) {
-      std::vector<BodyImpulse> impulses{{testing::random_vector(random, 0.5), testing::random_vector(random, 0.003)}};
+      std::vector<BodyImpulse> impulses{{test::random_vector(random, 0.5), test::random_vector(random, 0.003)}};
       world->advance(duration, {}, impulses);
       sum.linear += impulses[0].linear;
       sum.angular += impulses[0].angular;

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace tegotae::testing {
+namespace tegotae::test {
 
 /// A folder of scene files of one test, removed with it.
 class SceneFiles : public ::testing::Test {
@@ -66,4 +66,4 @@ inline std::vector<BodyImpulse> no_impulses(const MujocoWorld& world) {
   return std::vector<BodyImpulse>(static_cast<size_t>(world.geometry().moving_count));
 }
 
-}  // namespace tegotae::testing
+}  // namespace tegotae::test

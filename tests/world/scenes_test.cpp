@@ -10,8 +10,8 @@
 namespace tegotae {
 namespace {
 
-using testing::no_impulses;
-using testing::states_of;
+using test::no_impulses;
+using test::states_of;
 
 const std::filesystem::path kScenes = TEGOTAE_SCENES;
 

@@ -8,12 +8,12 @@
 namespace tegotae {
 namespace {
 
-using testing::kFloor;
-using testing::kTool;
-using testing::no_impulses;
-using testing::states_of;
+using test::kFloor;
+using test::kTool;
+using test::no_impulses;
+using test::states_of;
 
-class Simulated : public testing::SceneFiles {
+class Simulated : public test::SceneFiles {
  protected:
   // `count` boxes side by side on the floor: 4 contacts each.
   static std::string boxes(int count) {
