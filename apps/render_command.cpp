@@ -137,6 +137,7 @@ void add_render_command(CLI::App& program) {
       ->type_name("FILE")
       ->check(not_empty("a file"));
   options->settings.add_all(*command);
+  SettingsOptions::refuse_interface(*command, "'tegotae render' plays the motion exactly");
   command->callback([options] { run(*options); });
 }
 

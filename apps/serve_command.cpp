@@ -120,13 +120,24 @@ void tell_safeguards(const SettingsRequest& settings) {
   }
 }
 
+// The page brings the tool itself to where it is dragged, and has no buttons.
+void refuse_for_page(const SettingsRequest& settings) {
+  if (settings.dead_man_button || settings.clutch_button) {
+    throw UsageError(fmt::format("the page has no buttons for {}; leave it out, or give --interface.",
+                                 settings.dead_man_button ? "--dead-man-button" : "--clutch-button"));
+  }
+  if (settings.translation_scale || settings.rotation_scale || settings.force_scale) {
+    throw UsageError(
+        "the page moves the tool itself, without scales; leave --translation-scale, --rotation-scale and "
+        "--force-scale out, or give --interface.");
+  }
+}
+
 void serve(const ServeOptions& options) {
   if (options.interface != "page" && !options.experiment.empty()) {
     throw UsageError("an experiment plays a motion of its own; give either --experiment or --interface, not both.");
   }
-  if (options.interface == "page" && options.settings.checked().dead_man_button) {
-    throw UsageError("the page has no buttons: --dead-man-button would silence it for ever; leave it out.");
-  }
+  if (options.interface == "page") refuse_for_page(options.settings.checked());
   const HeldInterface held = hold_interface(options.interface);
   tell_safeguards(options.settings.checked());
   ViewerServer server(options.serving.server_options());
@@ -168,6 +179,7 @@ void add_serve_command(CLI::App& program) {
       ->check(CLI::ExistingDirectory);
   options->serving.add(*command);
   options->settings.add_all(*command);
+  options->settings.add_interface(*command);
   command->callback([options] { serve(*options); });
 }
 

@@ -39,6 +39,12 @@ ConstraintSet parse_constraint_set(const std::string& text) {
   throw UsageError(fmt::format("--constraint-set takes 'penetrating' or 'near', not '{}'.", text));
 }
 
+std::string option_of(const NumericSetting& setting) {
+  std::string name = fmt::format("--{}", setting.name);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
 }  // namespace
 
 void SettingsOptions::add_method(CLI::App& command) {
@@ -47,8 +53,7 @@ void SettingsOptions::add_method(CLI::App& command) {
 }
 
 void SettingsOptions::add_number(CLI::App& command, const NumericSetting& setting) {
-  std::string name = fmt::format("--{}", setting.name);
-  std::replace(name.begin(), name.end(), '_', '-');
+  const std::string name = option_of(setting);
   const std::string summary(setting.summary);
   std::optional<double>& value = request.*setting.field;
   if (setting.field == &SettingsRequest::beyond_rating) {
@@ -72,8 +77,21 @@ void SettingsOptions::add_number(CLI::App& command, const NumericSetting& settin
       ->check(number_in(setting.unit.empty() ? "" : unit));
 }
 
-void SettingsOptions::add_numbers(CLI::App& command) {
-  for (const NumericSetting& setting : numeric_settings()) add_number(command, setting);
+void SettingsOptions::add_interface(CLI::App& command) {
+  for (const NumericSetting& setting : numeric_settings()) {
+    if (setting.of_interface) add_number(command, setting);
+  }
+}
+
+void SettingsOptions::refuse_interface(CLI::App& command, const std::string& why) {
+  for (const NumericSetting& setting : numeric_settings()) {
+    if (!setting.of_interface) continue;
+    const std::string name = option_of(setting);
+    const auto refuse = [name, why](const CLI::results_t&) -> bool {
+      throw UsageError(fmt::format("{} is of an interface in a hand, and {}; leave it out.", name, why));
+    };
+    command.add_option(name, refuse)->expected(0, 1)->group("");
+  }
 }
 
 void SettingsOptions::add_limits(CLI::App& command) {
@@ -86,7 +104,9 @@ void SettingsOptions::add_limits(CLI::App& command) {
 
 void SettingsOptions::add_all(CLI::App& command) {
   add_method(command);
-  add_numbers(command);
+  for (const NumericSetting& setting : numeric_settings()) {
+    if (!setting.of_interface) add_number(command, setting);
+  }
   command
       .add_option("--constraint-set", constraint_set,
                   "Contact points that constrain the tool: 'penetrating' (the paper) or all 'near' ones; "

@@ -18,8 +18,12 @@ struct SettingsOptions {
   std::optional<std::string> constraint_set;
 
   void add_method(CLI::App& command);
-  void add_numbers(CLI::App& command);
+  /// All but those of an interface.
   void add_all(CLI::App& command);
+  /// Those of an interface and of who holds it.
+  void add_interface(CLI::App& command);
+  /// For a command without an interface: those options are not in its help, and `why` (a clause) answers them.
+  static void refuse_interface(CLI::App& command, const std::string& why);
   /// What keeps an interface stable, to be turned off by name.
   void add_limits(CLI::App& command);
 

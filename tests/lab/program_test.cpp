@@ -195,10 +195,7 @@ TEST(ProgramRender, RefusesOptionsThatMakeNoSense) {
   expect_one_sentence(with("--constraint-set", "some"), 2, "'near'");
   expect_one_sentence(with("--method", "magic"), 2, "there is no method");
   expect_one_sentence(with("--colour", "red"), 2, "--colour");
-  expect_one_sentence(with("--energy-bound", "maybe"), 2, "--energy-bound takes 'on' or 'off', not 'maybe'");
   expect_one_sentence(with("--tool-weight", "2"), 2, "--tool-weight takes 'on' or 'off'");
-  expect_one_sentence(with("--clutch-button", "0.5"), 2, "a whole number");
-  expect_one_sentence(with("--force-scale", "0"), 2, "permitted are");
   expect_one_sentence(run_program({"render", "--scene", kProgramScene}), 2, "required");
   expect_one_sentence(run_program({"render"}), 2, "see 'tegotae render --help'");
   expect_one_sentence(run_program({}), 2, "--help");
@@ -206,6 +203,32 @@ TEST(ProgramRender, RefusesOptionsThatMakeNoSense) {
   expect_one_sentence(run_program(render_command(motion, out, {"--method", "adachi", "--constraint-set", "near"})), 2,
                       "'adachi' has no choice of constraint set");
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(ProgramRender, HasNoOptionsOfAnInterfaceAndSaysSo) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out.csv").string(), motion = folder.write("motion.csv", kMotion);
+  const std::string help = run_program({"render", "--help"}).out;
+  for (const std::string option : {"--translation-scale", "--rotation-scale", "--force-scale", "--clutch-button",
+                                   "--dead-man-button", "--energy-bound", "--beyond-rating"}) {
+    const std::string sentence = option + " is of an interface in a hand, and 'tegotae render' plays the motion exactly";
+    expect_one_sentence(run_program(render_command(motion, out, {option, "1"})), 2, sentence);
+    expect_one_sentence(run_program(render_command(motion, out, {option})), 2, sentence);
+    EXPECT_THAT(help, testing::Not(HasSubstr(option)));
+  }
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(ProgramServe, RefusesWhatMakesNoSenseBeforeItServes) {
+  const auto with = [](const std::string& option, const std::string& value) {
+    return run_program({"serve", "--port", "0", option, value}, "timeout 20");
+  };
+  expect_one_sentence(with("--energy-bound", "maybe"), 2, "--energy-bound takes 'on' or 'off', not 'maybe'");
+  expect_one_sentence(with("--force-scale", "0"), 2, "permitted are");
+  expect_one_sentence(with("--clutch-button", "0.5"), 2, "a whole number");
+  expect_one_sentence(with("--clutch-button", "0"), 2, "the page has no buttons for --clutch-button");
+  expect_one_sentence(with("--dead-man-button", "0"), 2, "the page has no buttons for --dead-man-button");
+  expect_one_sentence(with("--translation-scale", "2"), 2, "the page moves the tool itself, without scales");
 }
 
 TEST(ProgramRender, RefusesToReplaceWhatItReads) {
