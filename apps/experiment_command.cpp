@@ -23,7 +23,7 @@ struct ExperimentOptions {
   std::string folder, recording;
   bool list = false;
   bool real_time = false;
-  std::string interface, hand = "moderate";
+  std::string interface, hand;
   SettingsOptions settings;
 };
 
@@ -39,13 +39,36 @@ const Experiment& chosen_experiment(const std::string& name) {
   }
 }
 
+// What would be without effect.
+void refuse_without_interface(const ExperimentOptions& options) {
+  const SettingsRequest& wanted = options.settings.request;
+  const char* option = nullptr;
+  if (!options.hand.empty()) option = "--hand";
+  if (wanted.energy_bound) option = "--energy-bound";
+  if (wanted.beyond_rating) option = "--beyond-rating";
+  if (option == nullptr) return;
+  throw UsageError(
+      fmt::format("{} is of an interface in a hand, and without one the motion is played exactly; add --interface "
+                  "NAME, say --interface simulated:parallel.",
+                  option));
+}
+
 std::optional<InterfaceRequest> chosen_interface(const ExperimentOptions& options) {
-  if (options.interface.empty()) return std::nullopt;
+  if (options.interface.empty()) {
+    refuse_without_interface(options);
+    return std::nullopt;
+  }
   try {
-    return interface_request(options.interface, options.hand);
+    return interface_request(options.interface, options.hand.empty() ? "moderate" : options.hand);
   } catch (const InputError& error) {
     throw UsageError(error.what());
   }
+}
+
+// So that a run on an interface replaces none without it.
+std::filesystem::path default_folder(const Experiment& experiment, const std::optional<InterfaceRequest>& interface) {
+  const std::string on = interface ? "-" + file_name_of(interface->choice) : "";
+  return std::filesystem::path("out") / (experiment.name + on);
 }
 
 ExperimentResult perform(const Experiment& experiment, const ExperimentRequest& request) {
@@ -69,12 +92,11 @@ void run(const ExperimentOptions& options) {
   const Experiment& experiment = chosen_experiment(options.name);
   ExperimentRequest request;
   request.settings = options.settings.checked();
+  request.interface = chosen_interface(options);
   request.folder = options.folder;
-  if (options.folder.empty()) request.folder = std::filesystem::path("out") / experiment.name;
-
+  if (options.folder.empty()) request.folder = default_folder(experiment, request.interface);
   request.recording = options.recording;
   request.real_time = options.real_time;
-  request.interface = chosen_interface(options);
   request.stop = &interrupted();
   listen_for_interruption();
 
@@ -100,7 +122,9 @@ void add_experiment_command(CLI::App& program) {
   command->add_flag("--realtime", options->real_time,
                     "Run physics and haptics at their rates in real time, each on a thread of its own; without it time "
                     "is simulated and the result repeats bit for bit");
-  command->add_option("--out", options->folder, "Folder for the results; default: out/NAME")
+  command
+      ->add_option("--out", options->folder,
+                   "Folder for the results; default: out/NAME, with --interface out/NAME-INTERFACE")
       ->type_name("DIR")
       ->check(not_empty("a folder"));
   command->add_option("--record", options->recording, "Recording (MCAP) to write of the first variant")
@@ -114,9 +138,12 @@ void add_experiment_command(CLI::App& program) {
               simulated_interface_names() + "; default: none, the motion is played exactly")
       ->type_name("NAME")
       ->check(not_empty("an interface"));
-  command->add_option("--hand", options->hand, "Hand that holds the simulated interface: relaxed, moderate or firm")
+  command
+      ->add_option("--hand", options->hand,
+                   "Hand that holds the simulated interface: relaxed, moderate or firm; default: moderate; with "
+                   "--interface")
       ->type_name("NAME")
-      ->capture_default_str();
+      ->check(not_empty("a hand"));
   options->settings.add_method(*command);
   options->settings.add_limits(*command);
   command->callback([options] { run(*options); });

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -83,6 +84,15 @@ SimulatedChoice find_simulated(const InterfaceName& name) {
   if (name.driver == kSimulated) return find_device(name);
   if (name.driver == kSpidar && is_simulated(name)) return find_spidar(name);
   refuse(name);
+}
+
+std::string file_name_of(const SimulatedChoice& choice) {
+  std::string name = choice.name;
+  const size_t folder = name.find(':') + 1, file = name.rfind('/') + 1;
+  if (file > folder) name.erase(folder, file - folder);
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '_' && c != '.'; }, '-');
+  return name;
 }
 
 InterfaceCapability capability_in_hand(const SimulatedChoice& choice, const HandImpedance& hand, double period) {

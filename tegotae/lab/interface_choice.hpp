@@ -30,6 +30,11 @@ bool is_simulated(const InterfaceName& name) noexcept;
 /// a file that cannot be used, a SPIDAR without force closure, and a device that is not simulated.
 SimulatedChoice find_simulated(const InterfaceName& name);
 
+/// Its name as a part of a file's name: "spidar-g6:/home/a/b.json,simulated" becomes "spidar-g6-b.json-simulated". What
+/// stands there for the folders of a file is left out, any other character but letters, digits, '-', '_' and '.' is
+/// '-'.
+std::string file_name_of(const SimulatedChoice& choice);
+
 /// What the interface can do in `hand`, read and commanded each `period` (s): as it states, and rated for no more than
 /// nine tenths of the linear bound of stiffness_bounds.hpp without any damping of the coupling.
 InterfaceCapability capability_in_hand(const SimulatedChoice& choice, const HandImpedance& hand, double period);

@@ -51,6 +51,13 @@ TEST(InterfaceChoice, ASpidarIsAPresetOrAFile) {
   const auto interface =
       make_simulated(choice, simulated_hand("firm"), std::make_unique<IntendedTrajectory>(Trajectory({{0.0, Pose{}}})));
   EXPECT_EQ(interface->capability().name, "spidar-g6:ours");
+  EXPECT_EQ(file_name_of(choice), "spidar-g6-ours--and-old.txt-simulated");
+}
+
+TEST(InterfaceChoice, ItsNameInAFileName) {
+  EXPECT_EQ(file_name_of(found("simulated:parallel")), "simulated-parallel");
+  EXPECT_EQ(file_name_of(found("spidar-g6:x3r,simulated")), "spidar-g6-x3r-simulated");
+  EXPECT_EQ(file_name_of({"spidar-g6:../a b/..,simulated", SimulatedDevice{}}), "spidar-g6-..-simulated");
 }
 
 TEST(InterfaceChoice, WhatIsNotThereIsAnsweredWithASentence) {

@@ -78,6 +78,29 @@ TEST(ProgramInterface, ItsRecordingExportsToTheSameSamples) {
   EXPECT_GT(samples.column("hqz"), 0U);
 }
 
+TEST(ProgramInterface, ARunOnItReplacesNoneWithoutIt) {
+  const TemporaryFolder folder;
+  const std::string there = "cd '" + folder.path().string() + "' &&";
+  ASSERT_EQ(run_program({"experiment", "wedge"}, there).exit_code, 0);
+  const std::string played = contents_of(folder.path() / "out" / "wedge" / "samples.csv");
+  const ProgramResult held = run_program({"experiment", "wedge", "--interface", "simulated:parallel"}, there);
+  ASSERT_EQ(held.exit_code, 0) << held.err;
+  EXPECT_EQ(contents_of(folder.path() / "out" / "wedge" / "samples.csv"), played);
+  const SamplesTable table = read_samples(folder.path() / "out" / "wedge-simulated-parallel" / "samples.csv");
+  EXPECT_GT(table.column("ifx"), 0U);
+}
+
+TEST(ProgramInterface, WhatBelongsToItIsRefusedWithoutIt) {
+  const std::vector<std::vector<std::string>> options = {
+      {"--hand", "firm"}, {"--energy-bound", "off"}, {"--beyond-rating"}};
+  for (std::vector<std::string> option : options) {
+    const std::string sentence =
+        option[0] + " is of an interface in a hand, and without one the motion is played exactly; add --interface NAME";
+    option.insert(option.begin(), {"experiment", "wedge", "--out", "/proc/none"});
+    expect_refusal(option, 2, sentence);
+  }
+}
+
 TEST(ProgramInterface, WhatCannotBeIsAnsweredWithASentence) {
   const TemporaryFolder folder;
   const auto on = [](const std::string& interface) {

@@ -211,7 +211,8 @@ TEST(ProgramRender, HasNoOptionsOfAnInterfaceAndSaysSo) {
   const std::string help = run_program({"render", "--help"}).out;
   for (const std::string option : {"--translation-scale", "--rotation-scale", "--force-scale", "--clutch-button",
                                    "--dead-man-button", "--energy-bound", "--beyond-rating"}) {
-    const std::string sentence = option + " is of an interface in a hand, and 'tegotae render' plays the motion exactly";
+    const std::string sentence =
+        option + " is of an interface in a hand, and 'tegotae render' plays the motion exactly";
     expect_one_sentence(run_program(render_command(motion, out, {option, "1"})), 2, sentence);
     expect_one_sentence(run_program(render_command(motion, out, {option})), 2, sentence);
     EXPECT_THAT(help, testing::Not(HasSubstr(option)));
