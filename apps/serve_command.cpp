@@ -109,10 +109,10 @@ void tell_remarks(HapticInterface* device) {
 void tell_safeguards(const SettingsRequest& settings) {
   if (settings.beyond_rating.value_or(0.0) != 0.0) {
     log(NoticeLevel::kWarning,
-        "stiffness and damping are not held to what the interface is rated for (--beyond-rating).");
+        "stiffness and damping are not held to what the interface is rated for (--beyond-rating on).");
   }
   if (settings.energy_bound.value_or(1.0) == 0.0) {
-    log(NoticeLevel::kWarning, "the energy bound is off: a stiff contact may vibrate (--energy-bound).");
+    log(NoticeLevel::kWarning, "the energy bound is off: a stiff contact may vibrate (--energy-bound off).");
   }
   if (settings.dead_man_button) {
     log(NoticeLevel::kInfo,

@@ -56,11 +56,6 @@ void SettingsOptions::add_number(CLI::App& command, const NumericSetting& settin
   const std::string name = option_of(setting);
   const std::string summary(setting.summary);
   std::optional<double>& value = request.*setting.field;
-  if (setting.field == &SettingsRequest::beyond_rating) {
-    command.add_flag_callback(
-        name, [&value] { value = 1.0; }, summary);
-    return;
-  }
   if (setting.is_switch) {
     const auto take = [&value, name](const std::string& text) { value = parse_switch(name, text); };
     command.add_option_function<std::string>(name, take, setting.of_proxy ? summary + "; of 'proxy'" : summary)

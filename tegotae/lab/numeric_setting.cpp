@@ -42,9 +42,9 @@ constexpr NumericSetting kSettings[] = {
     {"viscous_friction", &Request::viscous_friction, 0.0, 1e4, "N s/m", false, true, false,
      "Viscous friction of a sliding contact; default: the scene's, else 0"},
     {"tool_weight", &Request::tool_weight, 0.0, 1.0, "", false, true, true,
-     "1: the tool's own weight is felt; default: the scene's, else 0"},
+     "The tool's own weight is felt; default: the scene's, else off"},
     {"tool_inertia", &Request::tool_inertia, 0.0, 1.0, "", false, true, true,
-     "1: the tool's own inertia is felt; default: the scene's, else 0"},
+     "The tool's own inertia is felt; default: the scene's, else off"},
     {"transient", &Request::transient, 0.0, 1e4, "N s/m", false, true, false,
      "Amplitude of the short vibration at an impact, per speed of it; default: the scene's, else 0"},
     {"translation_scale", &Request::translation_scale, 1e-3, 1e3, "", false, false, false,
@@ -63,7 +63,8 @@ constexpr NumericSetting kSettings[] = {
      "interface",
      true},
     {"beyond_rating", &Request::beyond_rating, 0.0, 1.0, "", false, false, true,
-     "Stiffness and damping may exceed what the interface is rated for; limits of force and torque hold all the same",
+     "Stiffness and damping may exceed what the interface is rated for; limits of force and torque hold all the same; "
+     "default: off",
      true},
 };
 

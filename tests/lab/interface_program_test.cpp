@@ -55,7 +55,7 @@ TEST(ProgramInterface, RatingAndEnergyBoundCanBeTurnedOffByName) {
   const TemporaryFolder folder;
   const ProgramResult result =
       run_program({"experiment", "paper-cube", "--interface", "spidar-g6:x3r,simulated", "--beyond-rating",
-                   "--energy-bound", "off", "--out", folder.path().string()});
+                   "on", "--energy-bound", "off", "--out", folder.path().string()});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, testing::Not(HasSubstr("is rated for")));
   EXPECT_THAT(result.err, HasSubstr("warning: one-metre: the force that spidar-g6:x3r,simulated has was not enough"));
@@ -92,7 +92,7 @@ TEST(ProgramInterface, ARunOnItReplacesNoneWithoutIt) {
 
 TEST(ProgramInterface, WhatBelongsToItIsRefusedWithoutIt) {
   const std::vector<std::vector<std::string>> options = {
-      {"--hand", "firm"}, {"--energy-bound", "off"}, {"--beyond-rating"}};
+      {"--hand", "firm"}, {"--energy-bound", "off"}, {"--beyond-rating", "on"}};
   for (std::vector<std::string> option : options) {
     const std::string sentence =
         option[0] + " is of an interface in a hand, and without one the motion is played exactly; add --interface NAME";
