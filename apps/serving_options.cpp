@@ -49,7 +49,9 @@ void serve_until_stopped(ViewerServer& server, LiveInbox& inbox, const std::func
 }
 
 void ServingOptions::add(CLI::App& command) {
-  command.add_option("--port", port, "Port to serve the page on; 0: any that is free; default: 8700")->type_name("N");
+  command.add_option("--port", port, "Port to serve the page on; 0: any that is free; default: 8700")
+      ->type_name("N")
+      ->check(whole_number("port", 0, 65535));
   command
       .add_option("--host", host,
                   "Name or address of this machine to serve on, 0.0.0.0 for all; beyond this machine a token is asked "

@@ -13,6 +13,9 @@ namespace tegotae {
 /// with the settings.
 CLI::Validator number_in(const std::string& unit);
 
+/// A whole number within these bounds ("takes a port from 0 to 65535, not '99999'").
+CLI::Validator whole_number(const std::string& what, long least, long most);
+
 /// Anything but nothing ("takes a folder, not ''").
 CLI::Validator not_empty(const std::string& what);
 

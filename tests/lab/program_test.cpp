@@ -220,6 +220,17 @@ TEST(ProgramRender, HasNoOptionsOfAnInterfaceAndSaysSo) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+TEST(ProgramServe, TakesPortsThatThereAre) {
+  for (const std::string command : {"serve", "replay"}) {
+    for (const std::string port : {"99999", "65536", "-1", "80.5", "http"}) {
+      std::vector<std::string> arguments = {command, "--port=" + port};
+      if (command == "replay") arguments.emplace_back("none.mcap");
+      expect_one_sentence(run_program(arguments, "timeout 20"), 2,
+                          "--port: takes a port from 0 to 65535, not '" + port + "'");
+    }
+  }
+}
+
 TEST(ProgramServe, RefusesWhatMakesNoSenseBeforeItServes) {
   const auto with = [](const std::string& option, const std::string& value) {
     return run_program({"serve", "--port", "0", option, value}, "timeout 20");
