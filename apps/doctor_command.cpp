@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <apps/commands.hpp>
 #include <apps/progress_line.hpp>
-#include <tegotae/device/interface_drivers.hpp>
+#include <apps/validators.hpp>
 #include <tegotae/lab/doctor_interfaces.hpp>
 #include <tegotae/lab/doctor_measure.hpp>
 #include <tegotae/lab/doctor_system.hpp>
+#include <tegotae/lab/input_error.hpp>
 
 #include <fmt/format.h>
 
@@ -58,10 +59,16 @@ void print(const std::vector<Finding>& machine, const std::vector<Finding>& inte
   print(interfaces);
 }
 
+std::vector<Finding> found_interfaces(const DoctorOptions& options) {
+  try {
+    return interface_findings(parse_interface_name(options.interface));
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  }
+}
+
 void examine(const DoctorOptions& options) {
-  // First, as the name may be none.
-  std::vector<Finding> interfaces =
-      driver_findings(interface_drivers(), parse_interface_name(options.interface).driver);
+  std::vector<Finding> interfaces = found_interfaces(options);  // first, as the name may be none
   append(interfaces, usb_findings({}));
   std::vector<Finding> machine = machine_findings(options);
   if (!options.json) print(machine, interfaces);
@@ -81,7 +88,8 @@ void add_doctor_command(CLI::App& program) {
   CLI::App* const command = program.add_subcommand(
       "doctor", "Say whether this machine can do force feedback, and how to mend what is in the way.");
   command->add_option("--interface", options->interface, "Interface that must be there, as 'serve' takes it")
-      ->type_name("NAME");
+      ->type_name("NAME[:OPTIONS]")
+      ->check(not_empty("an interface"));
   command->add_option("--rate", options->rate, "Haptic rate to be judged by, Hz")
       ->check(CLI::Range(10.0, 20000.0))
       ->type_name("HZ")

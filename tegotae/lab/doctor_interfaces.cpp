@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/doctor_interfaces.hpp>
 #include <tegotae/lab/input_error.hpp>
+#include <tegotae/lab/playback_driver.hpp>
+#include <tegotae/lab/trajectory_file.hpp>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,6 +11,7 @@
 #include <charconv>
 #include <fstream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -116,6 +119,33 @@ Finding driver_finding(const InterfaceDriver& driver, bool wanted) {
   return {fine ? Verdict::kOk : missing, std::string(driver.name), described(presence), presence.trouble};
 }
 
+Finding page_finding() {
+  return {Verdict::kOk, "page", "simulated, guided from the page of 'tegotae serve'; it needs no device.", ""};
+}
+
+Finding playback_finding(const std::string& file) {
+  constexpr const char* kWhatPlays = "a recording (MCAP) or a trajectory (CSV)";
+  if (file.empty()) {
+    throw InputError(fmt::format("playback needs a file, {}; name it: --interface playback:FILE.", kWhatPlays));
+  }
+  try {
+    const Trajectory motion = read_trajectory(file);
+    return {Verdict::kOk, "playback",
+            fmt::format("{} can be played, {:.1f} s; it feels nothing.", file, motion.end() - motion.start()), ""};
+  } catch (const std::runtime_error& error) {
+    return {Verdict::kNotPossible, "playback", error.what(), fmt::format("name {}: playback:FILE", kWhatPlays)};
+  }
+}
+
+void check_there_is(const std::string& wanted) {
+  std::string names = "page";
+  for (const InterfaceDriver* driver : known_drivers()) {
+    if (driver->name == wanted) return;
+    names.append(", ").append(driver->name);
+  }
+  throw InputError(fmt::format("there is no interface '{}'; there are: {}.", wanted, names));
+}
+
 }  // namespace
 
 bool may_use_node(const std::filesystem::path& node) { return access(node.c_str(), R_OK | W_OK) == 0; }
@@ -146,6 +176,21 @@ std::vector<Finding> driver_findings(std::span<const InterfaceDriver* const> dri
     names.append(names.empty() ? "" : ", ").append(driver->name);
   }
   if (!found) throw InputError(fmt::format("there is no interface '{}'; there are: {}.", wanted, names));
+  return findings;
+}
+
+std::vector<Finding> interface_findings(const InterfaceName& wanted) {
+  std::vector<Finding> without_device;
+  if (wanted.driver == "page") {
+    without_device.push_back(page_finding());
+  } else if (wanted.driver == playback_driver().name) {
+    without_device.push_back(playback_finding(wanted.options));
+  } else if (!wanted.driver.empty()) {
+    check_there_is(wanted.driver);
+  }
+  std::vector<Finding> findings =
+      driver_findings(interface_drivers(), without_device.empty() ? wanted.driver : std::string());
+  findings.insert(findings.begin(), without_device.begin(), without_device.end());
   return findings;
 }
 

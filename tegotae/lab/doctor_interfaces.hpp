@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <tegotae/device/interface_driver.hpp>
+#include <tegotae/device/interface_drivers.hpp>
 #include <tegotae/lab/doctor_system.hpp>
 
 #include <filesystem>
@@ -26,5 +26,10 @@ std::vector<Finding> usb_findings(const SystemRoots& roots, const NodeAccess& ma
 /// be better, as nobody owns all of them; for the one called `wanted` (empty: none) it is not possible. Throws
 /// InputError, with the names, where no driver is called so.
 std::vector<Finding> driver_findings(std::span<const InterfaceDriver* const> drivers, std::string_view wanted);
+
+/// The findings of all drivers, `wanted` being what a person means to hold, as `tegotae serve --interface` takes it: a
+/// driver with or without options, or an interface without a device: "page", which needs nothing, or "playback:FILE",
+/// whose file is read. Throws InputError, a sentence with what to name, where there is none of that name, or no file.
+std::vector<Finding> interface_findings(const InterfaceName& wanted);
 
 }  // namespace tegotae

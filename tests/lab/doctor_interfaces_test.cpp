@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -118,6 +119,40 @@ TEST(DoctorInterfaces, TheOneThatIsWantedMustBeThere) {
   EXPECT_EQ(driver_findings(kDrivers, "b")[1].verdict, Verdict::kNotPossible);
   EXPECT_THAT([] { driver_findings(kDrivers, "c"); },
               testing::ThrowsMessage<InputError>("there is no interface 'c'; there are: a, b."));
+}
+
+const Finding& finding_about(const std::vector<Finding>& findings, const std::string& subject) {
+  for (const Finding& finding : findings) {
+    if (finding.subject == subject) return finding;
+  }
+  throw std::runtime_error("no finding about " + subject);
+}
+
+TEST(DoctorInterfaces, ThePageNeedsNoDevice) {
+  const std::vector<Finding> findings = interface_findings({"page", ""});
+  EXPECT_EQ(findings.front().subject, "page");
+  EXPECT_EQ(findings.front().verdict, Verdict::kOk);
+  EXPECT_EQ(finding_about(findings, "spidar-g6").verdict, Verdict::kCouldBeBetter) << "not asked for";
+  EXPECT_EQ(finding_about(interface_findings({"spidar-g6", "x3r"}), "spidar-g6").verdict, Verdict::kNotPossible);
+}
+
+TEST(DoctorInterfaces, PlaybackNeedsAFileThatPlays) {
+  const TemporaryFolder folder;
+  const std::string motion =
+      folder.write("motion.csv", "t,x,y,z,qw,qx,qy,qz\n1,0,0,0,1,0,0,0\n3.5,0,0,0.1,1,0,0,0\n");
+  const Finding fine = finding_about(interface_findings({"playback", motion}), "playback");
+  EXPECT_EQ(fine.verdict, Verdict::kOk);
+  EXPECT_THAT(fine.found, HasSubstr("motion.csv can be played, 2.5 s"));
+  const std::string bad = folder.write("bad.csv", "t,x\n1,0\n");
+  const Finding refused = finding_about(interface_findings({"playback", bad}), "playback");
+  EXPECT_EQ(refused.verdict, Verdict::kNotPossible);
+  EXPECT_THAT(refused.found, HasSubstr("bad.csv"));
+  EXPECT_THAT(refused.mend, HasSubstr("playback:FILE"));
+  EXPECT_THAT([] { interface_findings({"playback", ""}); },
+              testing::ThrowsMessage<InputError>(HasSubstr("playback needs a file")));
+  EXPECT_THAT([] { interface_findings({"falcon", ""}); },
+              testing::ThrowsMessage<InputError>(testing::AllOf(HasSubstr("there are: page, force-dimension"),
+                                                                HasSubstr("playback"))));
 }
 
 }  // namespace

@@ -58,8 +58,24 @@ TEST(Doctor, TheProgramFailsWhereTheInterfaceAskedForIsNotThere) {
   EXPECT_THAT(result.out, HasSubstr("not possible     spidar-g6"));
   EXPECT_THAT(result.err, HasSubstr("cannot be done on this machine"));
   const ProgramResult unknown = run_program({"doctor", "--interface", "typewriter"});
-  EXPECT_EQ(unknown.exit_code, 1);
-  EXPECT_THAT(unknown.err, HasSubstr("there is no interface 'typewriter'; there are: "));
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("there is no interface 'typewriter'; there are: page, "));
+}
+
+TEST(Doctor, TheProgramKnowsInterfacesWithoutADevice) {
+  const auto finding = [](const std::string& interface, const std::string& subject) {
+    const ProgramResult result = run_program({"doctor", "--seconds", "0.1", "--json", "--interface", interface});
+    for (const auto& found : nlohmann::json::parse(result.out)) {
+      if (found["subject"] == subject) return found["verdict"].get<std::string>();
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(finding("page", "page"), "ok");
+  EXPECT_EQ(finding("playback:/nowhere/none.mcap", "playback"), "not possible");
+  EXPECT_EQ(run_program({"doctor", "--seconds", "0.1", "--interface", "playback:/nowhere/none.mcap"}).exit_code, 1);
+  const ProgramResult without_file = run_program({"doctor", "--interface", "playback"});
+  EXPECT_EQ(without_file.exit_code, 2);
+  EXPECT_THAT(without_file.err, HasSubstr("tegotae: playback needs a file"));
 }
 
 }  // namespace
