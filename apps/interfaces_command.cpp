@@ -2,6 +2,8 @@
 #include <apps/commands.hpp>
 #include <apps/validators.hpp>
 #include <tegotae/device/interface_drivers.hpp>
+#include <tegotae/device/simulated_presets.hpp>
+#include <tegotae/device/spidar_presets.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/interface_choice.hpp>
 #include <tegotae/lab/playback_driver.hpp>
@@ -15,13 +17,27 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <string_view>
 
 namespace tegotae {
 namespace {
 
+constexpr std::string_view kSpidar = "spidar-g6";
+
 std::string line_of(const InterfaceDriver& driver) {
   const std::string options = driver.options.empty() ? "" : fmt::format("[:{}]", driver.options);
   return fmt::format("{}{}", driver.name, options);
+}
+
+void print_page() { fmt::print("page\n    simulated, guided from the page of 'tegotae serve'; the default\n"); }
+
+void print_simulated() {
+  fmt::print("simulated:NAME\n    for 'tegotae experiment', which holds it in a simulated hand\n");
+  for (const auto& preset : simulated_devices()) fmt::print("    {}: {}\n", preset.name, preset.source);
+}
+
+void print_spidar_presets() {
+  for (const SpidarPreset& preset : spidar_presets()) fmt::print("    {}: {}\n", preset.name, preset.remark);
 }
 
 void print_driver(const InterfaceDriver& driver) {
@@ -34,11 +50,15 @@ void print_driver(const InterfaceDriver& driver) {
   for (const std::string& device : found.devices) fmt::print("    present: {}\n", device);
   if (!found.trouble.empty()) fmt::print("    {}\n", found.trouble);
   fmt::print("    after a crash: {}\n", driver.after_a_crash);
+  if (driver.name == kSpidar) print_spidar_presets();
 }
 
 void list(const std::string& name) {
+  if (name == "page") return print_page();
+  if (name == "simulated") return print_simulated();
   if (!name.empty()) return print_driver(find_interface_driver(name, known_drivers()));
-  fmt::print("page\n    simulated, guided from the page of 'tegotae serve'; the default\n");
+  print_page();
+  print_simulated();
   for (const InterfaceDriver* driver : known_drivers()) print_driver(*driver);
 }
 
@@ -48,7 +68,7 @@ struct InterfacesOptions {
 };
 
 SpidarGeometry chosen_spidar(const InterfaceName& name) {
-  if (name.driver != "spidar-g6") {
+  if (name.driver != kSpidar) {
     throw UsageError(fmt::format(
         "--workspace draws what the strings of a SPIDAR reach: give spidar-g6, spidar-g6:PRESET or spidar-g6:FILE{}.",
         name.driver.empty() ? "" : fmt::format(", not '{}'", name.driver)));
@@ -81,7 +101,7 @@ void run(const InterfacesOptions& options) {
     if (options.workspace) {
       print_workspace(options);
     } else {
-      list(options.name);
+      list(parse_interface_name(options.name).driver);
     }
   } catch (const InterfaceError& error) {
     throw UsageError(error.what());

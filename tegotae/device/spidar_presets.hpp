@@ -13,6 +13,7 @@ struct SpidarPreset {
   std::string_view name;
   std::string_view remark;
   SpidarGeometry geometry;
+  bool is_refused = false;  ///< as check_force_closure refuses it
 };
 
 /// "x3r", "x3l", "x3f", "x4r" and "x4l". Places, pairing, pulses, volts and tensions as published in Springhead's

@@ -29,9 +29,11 @@ std::string_view last_word(std::string_view options) {
   return comma == std::string_view::npos ? std::string_view() : options.substr(comma + 1);
 }
 
+// Of those that can be used.
 std::string preset_names() {
   std::string names;
   for (const SpidarPreset& preset : spidar_presets()) {
+    if (preset.is_refused) continue;
     names.append(names.empty() ? "" : ", ").append(preset.name);
   }
   return names;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/spidar_presets.hpp>
+#include <tegotae/device/spidar_reach.hpp>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,19 @@ TEST(SpidarPresets, HaveTheirFramesAndKnots) {
     EXPECT_NEAR(knot_radius(preset.geometry), radius, 1e-12);
     EXPECT_EQ(preset.geometry.name, preset.name);
     EXPECT_FALSE(preset.remark.empty());
+  }
+}
+
+TEST(SpidarPresets, SayWhichOfThemAreRefused) {
+  for (const SpidarPreset& preset : spidar_presets()) {
+    bool is_refused = false;
+    try {
+      check_force_closure(preset.geometry);
+    } catch (const std::invalid_argument&) {
+      is_refused = true;
+    }
+    EXPECT_EQ(preset.is_refused, is_refused) << preset.name;
+    EXPECT_EQ(preset.remark.find("refused: ") == 0, is_refused) << preset.remark;
   }
 }
 

@@ -117,6 +117,20 @@ TEST(ProgramInterface, WhatCannotBeIsAnsweredWithASentence) {
       "leaves the workspace");
 }
 
+TEST(ProgramInterface, ListsWhatThereIsAndWhatIsRefused) {
+  const ProgramResult spidar = run_program({"interfaces", "spidar-g6"});
+  EXPECT_THAT(spidar.out, HasSubstr("x4l: "));
+  EXPECT_THAT(spidar.out, HasSubstr("x3f: refused: "));
+  EXPECT_THAT(spidar.out, testing::Not(HasSubstr("page")));
+  const ProgramResult all = run_program({"interfaces"});
+  for (const char* line : {"page\n", "simulated:NAME\n", "    parallel: ", "force-dimension", "playback"}) {
+    EXPECT_THAT(all.out, HasSubstr(line));
+  }
+  EXPECT_EQ(run_program({"interfaces", "page"}).exit_code, 0);
+  EXPECT_THAT(run_program({"experiment", "--help"}).out, testing::Not(HasSubstr("x3f")));
+  expect_refusal({"interfaces", "falcon"}, 2, "there is no driver 'falcon'");
+}
+
 TEST(ProgramInterface, DrawsTheWorkspaceOfASpidar) {
   const TemporaryFolder folder;
   const ProgramResult result =
