@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <apps/commands.hpp>
+#include <apps/interruption.hpp>
 #include <apps/progress_line.hpp>
 #include <apps/validators.hpp>
 #include <tegotae/device/simulated_presets.hpp>
@@ -15,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -70,24 +72,36 @@ std::vector<SessionSettings> all_settings(const StabilityOptions& options) {
   return result;
 }
 
-StabilityReport measure(const StabilityOptions& options, const StabilitySetup& setup,
-                        const std::vector<SessionSettings>& all, const std::vector<TouchedFeature>& features) {
-  StabilityReport report;
-  report.setup = setup;
-  report.hand = options.hand;
+// Leaves a measurement in its midst.
+struct MeasurementStopped {};
+
+// Fills in a row after the other, until it is done or MeasurementStopped is thrown.
+void measure(const std::vector<SessionSettings>& all, const std::vector<TouchedFeature>& features, StabilityReport& report) {
   const double works = static_cast<double>(all.size() * (features.size() + 1));
-  double done = 0.0;
   ProgressLine line("stability");
-  const Progress progress = [&](double part) { line.show((done + part) / works); };
-  StabilitySetup present = setup;
+  const Progress progress = [&](double part) {
+    if (interrupted()) throw MeasurementStopped{};
+    line.show((static_cast<double>(report.limits.size() + report.energies.size()) + part) / works);
+  };
+  StabilitySetup present = report.setup;
   for (const SessionSettings& settings : all) {
     present.settings = settings;
     for (const TouchedFeature& feature : features) {
       report.limits.push_back(measure_stability(present, feature, progress));
-      ++done;
     }
     report.energies.push_back(measure_energy(present, kEnergyDuration, kEnergySeed, progress));
-    ++done;
+  }
+}
+
+StabilityReport measured(const StabilityOptions& options, const StabilitySetup& setup,
+                         const std::vector<SessionSettings>& all, const std::vector<TouchedFeature>& features) {
+  StabilityReport report;
+  report.setup = setup;
+  report.hand = options.hand;
+  try {
+    measure(all, features, report);
+  } catch (const MeasurementStopped&) {
+    report.interrupted = true;
   }
   return report;
 }
@@ -159,10 +173,16 @@ void run(const StabilityOptions& options) {
   }
   setup.settings = all.front();
   make_folder(options.folder);
-  const StabilityReport report = measure(options, setup, all, features);
   const std::filesystem::path file = std::filesystem::path(options.folder) / "stability.json";
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);  // an earlier one is not taken for this one's, whatever becomes of it
+  listen_for_interruption();
+  const StabilityReport report = measured(options, setup, all, features);
   write_text(file, stability_json(report));
   print_report(report);
+  if (report.interrupted) {
+    throw Interruption(fmt::format("interrupted; the rows until then stand in {}.", file.string()));
+  }
   fmt::print("\nreport: {}\n", file.string());
 }
 

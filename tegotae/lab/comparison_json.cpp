@@ -89,7 +89,7 @@ Json json_of(const ExperimentComparison& experiment) {
 }
 
 Json stability_of(const ComparisonResult& result) {
-  StabilityReport report{result.stability_setup, result.stability_hand, {}, {}};
+  StabilityReport report{result.stability_setup, result.stability_hand, {}, {}, result.interrupted};
   Json failures = Json::object();
   for (const StabilityOfMethod& row : result.stability) {
     report.limits.insert(report.limits.end(), row.limits.begin(), row.limits.end());

@@ -82,6 +82,7 @@ std::string stability_json(const StabilityReport& report) {
   for (const StabilityRow& row : report.limits) limits.push_back(json_of(row));
   for (const EnergyRow& row : report.energies) energies.push_back(json_of(row));
   const Json json = {{"format", kStabilityFormat},
+                     {"interrupted", report.interrupted},
                      {"device", json_of(report.setup.device)},
                      {"hand", json_of(report.setup.hand, report.hand)},
                      {"haptic_rate_Hz", report.setup.settings.haptic_rate},

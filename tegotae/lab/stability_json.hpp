@@ -15,6 +15,7 @@ struct StabilityReport {
   std::string hand;  ///< its name
   std::vector<StabilityRow> limits;
   std::vector<EnergyRow> energies;
+  bool interrupted = false;  ///< rows that were asked for are missing
 };
 
 /// As JSON: the simulated device and hand, the criterion, a row a method and contact; keys carry their units. What is

@@ -6,7 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tegotae {
@@ -28,6 +30,19 @@ TEST(ProgramStability, PrintsATableAndLeavesTheSameAsJson) {
   EXPECT_EQ(json["largest_stable_stiffness"].size(), 1U);
   EXPECT_EQ(json["energy_in_random_contact"].size(), 1U);
   EXPECT_GT(json["largest_stable_stiffness"][0]["ratio_to_linear"].get<double>(), 0.9);
+}
+
+TEST(ProgramStability, InterruptedKeepsWholeRowsAndSaysSo) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "stability.json";
+  folder.write("stability.json", "an earlier one");
+  for (const auto& [signal, exit_code] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
+    const ProgramResult result = run_program({"stability", "--all", "--out", folder.path().string()},
+                                             std::string("timeout --preserve-status -s ") + signal + " 1");
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("tegotae: interrupted; the rows until then stand in " + file.string()));
+    EXPECT_TRUE(nlohmann::json::parse(contents_of(file))["interrupted"]);
+  }
 }
 
 TEST(ProgramStability, SaysWhatItCannotObey) {

@@ -172,6 +172,7 @@ TEST(StabilityJson, HoldsEveryRowAndWritesInfinityAsNull) {
   EXPECT_EQ(json["device"]["delay_s"], 1e-3);
   EXPECT_TRUE(json["device"]["max_force_N"].is_null());
   EXPECT_EQ(json["hand"]["name"], "moderate");
+  EXPECT_FALSE(json["interrupted"]);
 }
 
 }  // namespace
