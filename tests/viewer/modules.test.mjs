@@ -202,7 +202,7 @@ describe("what the hand tells the program", async () => {
   /** A program that keeps what it is told. */
   function listening(state) {
     const emitters = { connectionStates: new Emitter(), scenes: new Emitter(), states: new Emitter() };
-    const program = { ...emitters, sent: [], notices: [], viewer: 1, isLive: true, scene: null, state };
+    const program = { ...emitters, sent: [], notices: [], viewer: 1, pageIsHand: true, state };
     program.send = (message) => program.sent.push(message);
     program.notice = (_level, text) => program.notices.push(text);
     return program;
@@ -240,6 +240,13 @@ describe("what the hand tells the program", async () => {
       assert.equal(new Hand(program).take("mouse"), false);
       assert.match(program.notices[0], state.motion ? /press/ : /Viewer 2/);
     }
+  });
+
+  test("it never takes the tool where a device is the hand", () => {
+    const program = listening({ target: pose(0), hand: null, motion: null });
+    program.pageIsHand = false;
+    assert.equal(new Hand(program).take("mouse"), false);
+    assert.deepEqual(program.sent, []);
   });
 
   test("it lets go without a word when another one has taken over", () => {

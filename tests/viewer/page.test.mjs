@@ -200,6 +200,40 @@ describe("the page of tegotae serve", () => {
       await first.until(() => window.tegotae.state.viewers === 1);
     }));
 
+  test("with a device in the hand the page says so, and offers no other way to move the tool", async () => {
+    const file = join(output, "held.csv");
+    writeFileSync(file, "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0.01,1,0,0,0\n");
+    await served([floor.file, "--interface", `playback:${file}`], async (page) => {
+      await page.untilText("hand", /^playback is the hand$/);
+      assert.match(await page.text("hint"), /^playback is the hand/);
+      for (const name of ["motion-choice", "experiment-choice", "stop", "space-mouse"]) {
+        await page.control(name).waitFor({ state: "hidden" });
+      }
+      await page.until(() => window.tegotae.state.t > 1.2);
+      const seen = await page.page.evaluate(() => {
+        window.told = [];
+        const { send } = WebSocket.prototype;
+        WebSocket.prototype.send = function (text) {
+          window.told.push(text);
+          send.call(this, text);
+        };
+        return window.tegotae.toolScreenPosition();
+      });
+      await page.dragTool(0, 60);
+      await page.page.mouse.up();
+      await page.page.keyboard.down("e");
+      await page.page.waitForTimeout(500);
+      await page.page.keyboard.up("e");
+      assert.deepEqual(await page.page.evaluate(() => window.told), [], "the page tells the program nothing");
+      const now = await page.page.evaluate(() => window.tegotae.toolScreenPosition());
+      assert.ok(Math.hypot(now.x - seen.x, now.y - seen.y) > 1, "a drag, also of the tool, looks around");
+      await page.page.keyboard.press("h");
+      assert.match(await page.text("help-device"), /playback is the hand/);
+      await page.control("help-hand").waitFor({ state: "hidden" });
+      await page.picture("device");
+    });
+  });
+
   test("a stopped program is shown as such, and the page comes back with it", async () => {
     const program = await Program.start("serve", "--port", "0");
     const page = await ViewerPage.open(browser, program.address);

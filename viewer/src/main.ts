@@ -9,6 +9,7 @@ import { KeyHand } from "./hand/key_hand";
 import { MouseHand } from "./hand/mouse_hand";
 import { SpaceMouse } from "./hand/space_mouse";
 import { ConnectionBadge } from "./panel/connection_badge";
+import { HandNote } from "./panel/hand_note";
 import { Help } from "./panel/help";
 import { Legend } from "./panel/legend";
 import { Notices } from "./panel/notices";
@@ -31,7 +32,7 @@ class Page {
   private readonly hand = new Hand(this.program);
   private readonly spaceMouse = new SpaceMouse();
   private readonly driven = new DrivenHand(this.hand, this.view, this.program, [
-    new KeyHand(),
+    new KeyHand(this.program),
     new GamepadHand(),
     this.spaceMouse,
   ]);
@@ -49,7 +50,7 @@ class Page {
 
   constructor() {
     new MouseHand(this.hand, this.view, this.program);
-    const parts = [ConnectionBadge, Help, Notices, PlayPanel, SettingsPanel, TimeBar, Transport];
+    const parts = [ConnectionBadge, HandNote, Help, Notices, PlayPanel, SettingsPanel, TimeBar, Transport];
     for (const Part of parts) new Part(this.program);
     this.connectControls();
     openTestPort(this.program, this.view, this.ages, () => this.frameRate.perSecond(performance.now()));

@@ -47,6 +47,17 @@ export class Program {
     return this.connection.kind === "live" && this.scene?.mode === "live";
   }
 
+  /** Name of the interface that a person holds in the page's place; null where the page is the hand, or in a replay. */
+  get device(): string | null {
+    const { scene } = this;
+    return scene?.mode !== "live" || scene.interface === "page" ? null : scene.interface;
+  }
+
+  /** Whether mouse, keys and the like on this page may move the tool. */
+  get pageIsHand(): boolean {
+    return this.isLive && this.device === null;
+  }
+
   /** ms since the state shown was put together, by the clocks of program and page. */
   get ageOfState(): number | null {
     return this.state === null ? null : Date.now() - this.state.made;

@@ -31,7 +31,7 @@ export class DrivenHand {
     const step = Math.min((now - this.lastFrame) / 1000, longestStep);
     this.lastFrame = now;
     const velocity = this.sources.map((source) => source.read()).find((read) => read !== null);
-    if (!velocity || this.program.scene?.mode !== "live") {
+    if (!velocity || this.program.scene === null || !this.program.pageIsHand) {
       this.refused = false;
       if (now - this.lastMotion > rest) this.hand.release("drive");
       return;

@@ -28,15 +28,11 @@ export class Hand {
   take(holder: string): boolean {
     if (this.holders.has(holder)) return true;
     if (!this.isHolding) {
-      const { state, viewer, scene } = this.program;
-      if (state === null || !this.program.isLive) return false;
+      const { state, viewer } = this.program;
+      if (state === null || !this.program.pageIsHand) return false;
       if (state.target === null) {
-        this.program.notice(
-          "info",
-          state.motion !== null
-            ? `“${state.motion}” moves the tool now; stop it to take the tool yourself.`
-            : `The tool is in the hand at ${scene?.interface ?? "a device"}; the page shows it.`,
-        );
+        const what = state.motion !== null ? `“${state.motion}”` : "A motion";
+        this.program.notice("info", `${what} moves the tool now; stop it to take the tool yourself.`);
         return false;
       }
       if (state.hand !== null && state.hand !== viewer) {

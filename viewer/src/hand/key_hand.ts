@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { takesKeys } from "../dom";
+import type { Program } from "../program";
 import type { Vector } from "../protocol";
 import type { HandVelocity, VelocitySource } from "./velocity_source";
 
@@ -32,7 +33,7 @@ export class KeyHand implements VelocitySource {
   private readonly pressed = new Set<string>();
   private turning = false;
 
-  constructor() {
+  constructor(private readonly program: Program) {
     window.addEventListener("keydown", (event) => this.press(event));
     window.addEventListener("keyup", (event) => {
       this.pressed.delete(event.code);
@@ -59,7 +60,7 @@ export class KeyHand implements VelocitySource {
   private press(event: KeyboardEvent): void {
     this.turning = event.shiftKey || event.altKey;
     if (event.ctrlKey || event.metaKey || !(event.code in meanings)) return;
-    if (takesKeys(event.target) || document.querySelector("dialog[open]")) return;
+    if (!this.program.pageIsHand || takesKeys(event.target) || document.querySelector("dialog[open]")) return;
     event.preventDefault();
     this.pressed.add(event.code);
   }

@@ -26,7 +26,7 @@ export class MouseHand {
   private press(event: PointerEvent): void {
     const { canvas } = this.view.stage;
     if (event.target !== canvas || event.button !== 0 || this.pointer !== null) return;
-    if (this.program.scene?.mode !== "live" || !this.view.isToolAt(event.clientX, event.clientY)) return;
+    if (!this.program.pageIsHand || !this.view.isToolAt(event.clientX, event.clientY)) return;
     event.stopPropagation();
     if (!this.hand.take("mouse")) return;
     this.pointer = event.pointerId;
@@ -78,7 +78,7 @@ export class MouseHand {
   }
 
   private hover(event: PointerEvent): void {
-    const canTake = this.program.isLive && this.view.isToolAt(event.clientX, event.clientY);
+    const canTake = this.program.pageIsHand && this.view.isToolAt(event.clientX, event.clientY);
     this.view.stage.canvas.classList.toggle("grab", canTake);
   }
 }

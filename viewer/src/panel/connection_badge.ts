@@ -14,11 +14,11 @@ export class ConnectionBadge {
       setText(box("lost-title"), state.refused ? "The program closed the connection." : "The program has stopped.");
       setText(box("lost-text"), state.text === "" ? "It cannot be reached." : state.text);
     });
-    program.scenes.listen(({ name, mode, program: version, interface: device }) => {
+    program.scenes.listen(({ name, mode, program: version }) => {
       setText(box("scene-name"), name);
       setText(box("version"), version);
       document.title = `${name} · tegotae`;
-      setText(box("interface"), mode === "replay" ? "a recording" : device === "page" ? "" : `interface: ${device}`);
+      setText(box("interface"), mode === "replay" ? "a recording" : "");
     });
     program.states.listen(({ viewers, hand, motion }) => {
       setText(box("viewers"), viewers === 1 ? "1 viewer" : `${viewers} viewers`);
@@ -28,6 +28,8 @@ export class ConnectionBadge {
 
   private handText(hand: number | null, motion: string | null): string {
     if (this.program.scene?.mode === "replay") return "";
+    const { device } = this.program;
+    if (device !== null) return `${device} is the hand`;
     if (motion !== null) return `“${motion}” plays`;
     if (hand === null) return "nobody holds the tool";
     return hand === this.program.viewer ? "you hold the tool" : `viewer ${hand} holds the tool`;
