@@ -117,7 +117,7 @@ void add_experiment_command(CLI::App& program) {
   auto options = std::make_shared<ExperimentOptions>();
   CLI::App* const command =
       program.add_subcommand("experiment", "Perform an experiment: samples, summary and figures.");
-  command->add_option("NAME", options->name, "Experiment to perform");
+  command->add_option("NAME", options->name, "Experiment to perform")->type_name("");
   command->add_flag("--list", options->list, "List the experiments");
   command->add_flag("--realtime", options->real_time,
                     "Run physics and haptics at their rates in real time, each on a thread of its own; without it time "

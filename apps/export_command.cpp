@@ -46,7 +46,10 @@ void run(const ExportOptions& options) {
 void add_export_command(CLI::App& program) {
   auto options = std::make_shared<ExportOptions>();
   CLI::App* const command = program.add_subcommand("export", "Write the ticks of a recording as comma-separated rows.");
-  command->add_option("FILE", options->recording, "Recording (MCAP)")->required()->check(not_empty("a file"));
+  command->add_option("FILE", options->recording, "Recording (MCAP)")
+      ->type_name("")
+      ->required()
+      ->check(not_empty("a file"));
   command->add_option("--csv", options->csv, "File for the rows, one a haptic tick")
       ->type_name("FILE")
       ->required()

@@ -97,6 +97,9 @@ void print_workspace(const InterfacesOptions& options) {
 }
 
 void run(const InterfacesOptions& options) {
+  if (!options.workspace && !options.folder.empty()) {
+    throw UsageError("--out is for what --workspace draws; add --workspace, or leave it out.");
+  }
   try {
     if (options.workspace) {
       print_workspace(options);
@@ -114,7 +117,7 @@ void add_interfaces_command(CLI::App& program) {
   auto options = std::make_shared<InterfacesOptions>();
   CLI::App* const command = program.add_subcommand(
       "interfaces", "List the interfaces that there are drivers for, and what of them is present.");
-  command->add_option("DRIVER", options->name, "Only this one");
+  command->add_option("DRIVER", options->name, "Only this one")->type_name("");
   command->add_flag("--workspace", options->workspace,
                     "Of spidar-g6, spidar-g6:PRESET or spidar-g6:FILE (default: x3r): draw what its strings reach");
   command->add_option("--out", options->folder, "Folder for what --workspace draws; default: out/workspace/NAME")

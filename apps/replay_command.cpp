@@ -37,7 +37,10 @@ void replay(const ReplayOptions& options) {
 void add_replay_command(CLI::App& program) {
   auto options = std::make_shared<ReplayOptions>();
   CLI::App* const command = program.add_subcommand("replay", "Show a recording in a page, with a time bar.");
-  command->add_option("FILE", options->recording, "Recording (MCAP)")->required()->check(not_empty("a file"));
+  command->add_option("FILE", options->recording, "Recording (MCAP)")
+      ->type_name("")
+      ->required()
+      ->check(not_empty("a file"));
   options->serving.add(*command);
   command->callback([options] { replay(*options); });
 }

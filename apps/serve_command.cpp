@@ -28,19 +28,22 @@ namespace tegotae {
 namespace {
 
 struct ServeOptions {
-  std::string scene, tool = "tool", experiment, interface = "page", recording, recordings = ".";
+  std::string scene, tool, experiment, interface = "page", recording, recordings = ".";
   ServingOptions serving;
   SettingsOptions settings;
 };
 
 LiveScene first_scene(const ServeOptions& options) {
+  if (options.scene.empty() && !options.tool.empty()) {
+    throw UsageError("--tool is a body of SCENE; name the scene's file too, or leave it out.");
+  }
   if (!options.experiment.empty()) {
     if (!options.scene.empty()) throw UsageError("give either a scene or --experiment, not both.");
     return live_scene_of(find_experiment(options.experiment));
   }
   if (options.scene.empty()) return {"table", find_scene("table.xml")};
   const std::filesystem::path file = options.scene;
-  return {file.filename().string(), file, options.tool};
+  return {file.filename().string(), file, options.tool.empty() ? "tool" : options.tool};
 }
 
 LiveSessionOptions session_options(const ServeOptions& options) {
@@ -160,7 +163,9 @@ void add_serve_command(CLI::App& program) {
       "serve", "Run a scene in real time and serve a page that shows it, steers it and is the hand.");
   command->add_option("SCENE", options->scene, "Scene: an MJCF or URDF file; default: a table with free boxes")
       ->type_name("");
-  command->add_option("--tool", options->tool, "Body of SCENE that the hand moves; default: tool")->type_name("BODY");
+  command->add_option("--tool", options->tool, "Body of SCENE that the hand moves; default: tool")
+      ->type_name("BODY")
+      ->check(not_empty("a body"));
   command->add_option("--experiment", options->experiment, "Experiment to play, in place of a scene")
       ->type_name("NAME");
   command
@@ -175,8 +180,8 @@ void add_serve_command(CLI::App& program) {
   command
       ->add_option("--recordings", options->recordings,
                    "Folder of the recordings that are started from the page; default: this one")
-      ->type_name("FOLDER")
-      ->check(CLI::ExistingDirectory);
+      ->type_name("DIR")
+      ->check(CLI::Validator(CLI::ExistingDirectory).description(""));
   options->serving.add(*command);
   options->settings.add_all(*command);
   options->settings.add_interface(*command);

@@ -76,7 +76,8 @@ std::vector<SessionSettings> all_settings(const StabilityOptions& options) {
 struct MeasurementStopped {};
 
 // Fills in a row after the other, until it is done or MeasurementStopped is thrown.
-void measure(const std::vector<SessionSettings>& all, const std::vector<TouchedFeature>& features, StabilityReport& report) {
+void measure(const std::vector<SessionSettings>& all, const std::vector<TouchedFeature>& features,
+             StabilityReport& report) {
   const double works = static_cast<double>(all.size() * (features.size() + 1));
   ProgressLine line("stability");
   const Progress progress = [&](double part) {
@@ -194,7 +195,7 @@ void add_stability_command(CLI::App& program) {
       "stability",
       "Measure, with a simulated hand and interface in closed loop, how stiff a method may be and what energy it "
       "injects; repeats bit for bit.");
-  command->add_option("--method", options->method, "Rendering method (see 'tegotae methods'); default: the program's")
+  command->add_option("--method", options->method, "Rendering method (see 'tegotae methods'); default: proxy")
       ->type_name("NAME");
   command->add_flag("--all", options->all, "Measure every method");
   command->add_option("--contact", options->contact, "Only 'vertex', 'edge' or 'face' of the cube; default: all three")
@@ -204,7 +205,7 @@ void add_stability_command(CLI::App& program) {
                    "Length l that weighs rotation against translation; default: the method's own and, where it "
                    "differs, the cube's gyration length")
       ->type_name("m");
-  command->add_option("--device", options->device, "Simulated device: laboratory, stylus or parallel")
+  command->add_option("--device", options->device, "Simulated device: laboratory, page, stylus or parallel")
       ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--hand", options->hand, "Simulated hand: relaxed, moderate or firm")

@@ -113,7 +113,8 @@ const auto& presets() {
   static const std::array<SpidarPreset, 5> all{
       {{"x3r", "as published; not run on hardware", x3("x3r", x3r_table())},
        {"x3l", "as published; not run on hardware", x3("x3l", x3l_table())},
-       {"x3f", "refused: as published all knots turn the grip the same way, so that it has no force closure", x3f(), true},
+       {"x3f", "refused: as published all knots turn the grip the same way, so that it has no force closure", x3f(),
+        true},
        {"x4r", "as published, where its revisions differ; unverified: compare motors and signs with yours", x4("x4r")},
        {"x4l", "as published, where its revisions differ; unverified: compare motors and signs with yours",
         x4("x4l")}}};

@@ -30,7 +30,7 @@ bool is_simulated(const InterfaceName& name) noexcept;
 /// a file that cannot be used, a SPIDAR without force closure, and a device that is not simulated.
 SimulatedChoice find_simulated(const InterfaceName& name);
 
-/// Its name as a part of a file's name: "spidar-g6:/home/a/b.json,simulated" becomes "spidar-g6-b.json-simulated". What
+/// Its name as a part of a file's name: "spidar-g6:frames/b.txt,simulated" becomes "spidar-g6-b.txt-simulated". What
 /// stands there for the folders of a file is left out, any other character but letters, digits, '-', '_' and '.' is
 /// '-'.
 std::string file_name_of(const SimulatedChoice& choice);

@@ -28,7 +28,7 @@ constexpr NumericSetting kSettings[] = {
     {"rotational_damping", &Request::rotational_damping, 0.0, 1e4, "N m s/rad", false, false, false,
      "Rotational damping; default: the scene's, else d l^2"},
     {"physics_rate", &Request::physics_rate, 1.0, 2000.0, "Hz", false, false, false,
-     "Rate of the physics steps; default: the scene's, else 500"},
+     "Rate of the physics steps; default: the scene's, else 500, and in real time what the scene affords"},
     {"haptic_rate", &Request::haptic_rate, 10.0, 20000.0, "Hz", false, false, false,
      "Rate of the haptic ticks; default: the scene's, else 1000"},
     {"margin", &Request::margin, 1e-6, 10.0, "m", false, false, false,

@@ -138,8 +138,7 @@ TEST(DoctorInterfaces, ThePageNeedsNoDevice) {
 
 TEST(DoctorInterfaces, PlaybackNeedsAFileThatPlays) {
   const TemporaryFolder folder;
-  const std::string motion =
-      folder.write("motion.csv", "t,x,y,z,qw,qx,qy,qz\n1,0,0,0,1,0,0,0\n3.5,0,0,0.1,1,0,0,0\n");
+  const std::string motion = folder.write("motion.csv", "t,x,y,z,qw,qx,qy,qz\n1,0,0,0,1,0,0,0\n3.5,0,0,0.1,1,0,0,0\n");
   const Finding fine = finding_about(interface_findings({"playback", motion}), "playback");
   EXPECT_EQ(fine.verdict, Verdict::kOk);
   EXPECT_THAT(fine.found, HasSubstr("motion.csv can be played, 2.5 s"));
@@ -148,11 +147,17 @@ TEST(DoctorInterfaces, PlaybackNeedsAFileThatPlays) {
   EXPECT_EQ(refused.verdict, Verdict::kNotPossible);
   EXPECT_THAT(refused.found, HasSubstr("bad.csv"));
   EXPECT_THAT(refused.mend, HasSubstr("playback:FILE"));
-  EXPECT_THAT([] { interface_findings({"playback", ""}); },
-              testing::ThrowsMessage<InputError>(HasSubstr("playback needs a file")));
-  EXPECT_THAT([] { interface_findings({"falcon", ""}); },
-              testing::ThrowsMessage<InputError>(testing::AllOf(HasSubstr("there are: page, force-dimension"),
-                                                                HasSubstr("playback"))));
+  EXPECT_THAT(
+      [] {
+        interface_findings({"playback", ""});
+      },
+      testing::ThrowsMessage<InputError>(HasSubstr("playback needs a file")));
+  EXPECT_THAT(
+      [] {
+        interface_findings({"falcon", ""});
+      },
+      testing::ThrowsMessage<InputError>(
+          testing::AllOf(HasSubstr("there are: page, force-dimension"), HasSubstr("playback"))));
 }
 
 }  // namespace

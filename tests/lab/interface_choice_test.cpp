@@ -70,8 +70,7 @@ TEST(InterfaceChoice, WhatIsNotThereIsAnsweredWithASentence) {
   EXPECT_THAT(refusal("spidar-g6:x3r"),
               ThrowsMessage<InputError>(AllOf(HasSubstr("spidar-g6:x3r: no transport"), HasSubstr("SpidarTransport"))));
   EXPECT_THAT(refusal("spidar-g6:x9,simulated"),
-              ThrowsMessage<InputError>(
-                  AllOf(HasSubstr("'x9' is neither"), HasSubstr("x3r"), Not(HasSubstr("x3f")))));
+              ThrowsMessage<InputError>(AllOf(HasSubstr("'x9' is neither"), HasSubstr("x3r"), Not(HasSubstr("x3f")))));
   EXPECT_THAT(refusal("spidar-g6:x3f,simulated"), ThrowsMessage<InputError>(HasSubstr("x3f")));
   const TemporaryFolder folder;
   const std::string name = "spidar-g6:" + folder.write("bad.txt", "name bad\nstring 1 2\n") + ",simulated";

@@ -54,8 +54,8 @@ TEST(ProgramInterface, AnExperimentRunsOnASimulatedSpidarAndRepeats) {
 TEST(ProgramInterface, RatingAndEnergyBoundCanBeTurnedOffByName) {
   const TemporaryFolder folder;
   const ProgramResult result =
-      run_program({"experiment", "paper-cube", "--interface", "spidar-g6:x3r,simulated", "--beyond-rating",
-                   "on", "--energy-bound", "off", "--out", folder.path().string()});
+      run_program({"experiment", "paper-cube", "--interface", "spidar-g6:x3r,simulated", "--beyond-rating", "on",
+                   "--energy-bound", "off", "--out", folder.path().string()});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, testing::Not(HasSubstr("is rated for")));
   EXPECT_THAT(result.err, HasSubstr("warning: one-metre: the force that spidar-g6:x3r,simulated has was not enough"));
@@ -128,6 +128,7 @@ TEST(ProgramInterface, ListsWhatThereIsAndWhatIsRefused) {
   }
   EXPECT_EQ(run_program({"interfaces", "page"}).exit_code, 0);
   EXPECT_THAT(run_program({"experiment", "--help"}).out, testing::Not(HasSubstr("x3f")));
+  expect_refusal({"interfaces", "--out", "anywhere"}, 2, "add --workspace");
   expect_refusal({"interfaces", "falcon"}, 2, "there is no driver 'falcon'");
 }
 
