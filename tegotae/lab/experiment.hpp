@@ -40,6 +40,10 @@ struct Variant {
 /// length.
 std::vector<Variant> metric_length_variants();
 
+/// In titles and labels of an experiment's figures: the metric length of the run that the curve (of a title: the first
+/// curve) is drawn from, as "1 m" or "gyration length"; on an interface as it was held to.
+inline constexpr std::string_view kMetricLengthText = "<metric length>";
+
 /// A motion of a tool in a scene, and what to look at. Adding one: a file with a function that returns it, and a line
 /// in experiment.cpp.
 struct Experiment {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/closed_loop_figures.hpp>
 #include <tegotae/lab/experiment_run.hpp>
+#include <tegotae/lab/gnuplot.hpp>
 #include <tegotae/lab/physics_rate.hpp>
 #include <tegotae/lab/run_recording.hpp>
 #include <tegotae/lab/samples_file.hpp>
@@ -110,6 +111,19 @@ void warn_of_limits(const VariantResult& result, const InterfaceRequest& interfa
   }
 }
 
+// To what the interface is rated for. What the result says of the metric length is said anew where that is lowered.
+void hold_in_hand(SessionSettings& settings, const InterfaceRequest& interface, VariantResult& result,
+                  std::vector<std::string>& warnings) {
+  std::string warning;
+  const SessionSettings held = held_in_hand(settings, interface, warning);
+  if (!warning.empty()) add_once(warnings, fmt::format("{}: {}", result.variant.name, warning));
+  if (held.metric_length < settings.metric_length) {
+    result.metric_length = fmt::format("{:.3g} m", held.metric_length);
+    result.variant.summary += fmt::format("; held to {}", result.metric_length);
+  }
+  settings = held;
+}
+
 VariantResult run_variant(const Experiment& experiment, const Variant& variant, const ExperimentRequest& request,
                           std::filesystem::path samples_file, const std::filesystem::path& recording_file,
                           std::vector<std::string>& warnings, const Progress& progress) {
@@ -125,11 +139,9 @@ VariantResult run_variant(const Experiment& experiment, const Variant& variant, 
     wanted = with_measured_rate(wanted, *world, result.physics_rate_choice);
   SessionSettings settings = decide_settings(wanted, tool);
   settings.gravity = world->gravity();
-  if (request.interface) {
-    std::string warning;
-    settings = held_in_hand(settings, *request.interface, warning);
-    if (!warning.empty()) add_once(warnings, fmt::format("{}: {}", variant.name, warning));
-  }
+  result.metric_length =
+      wanted.metric_length == 0.0 ? "gyration length" : fmt::format("{:.3g} m", settings.metric_length);
+  if (request.interface) hold_in_hand(settings, *request.interface, result, warnings);
   result.settings = settings;
   Trajectory motion = experiment.motion(tool);
   ExperimentInterface interface = interface_of(experiment, settings, motion, tool, request);
@@ -167,10 +179,25 @@ VariantResult run_variant(const Experiment& experiment, const Variant& variant, 
   return result;
 }
 
-// Variants may be held to the interface's rating, so that titles that name a setting need a grain of salt.
 void describe_on(const std::string& interface, Experiment& experiment) {
-  for (Figure& figure : experiment.figures) figure.title += fmt::format(" (on {}, as far as it is rated)", interface);
-  for (Figure& figure : closed_loop_figures(experiment, interface)) experiment.figures.push_back(std::move(figure));
+  const std::string name = gnuplot_text(interface);
+  for (Figure& figure : experiment.figures) figure.title += fmt::format(" (on {})", name);
+  for (Figure& figure : closed_loop_figures(experiment, name)) experiment.figures.push_back(std::move(figure));
+}
+
+void name_metric_length(std::string& text, const VariantResult& variant) {
+  const size_t place = text.find(kMetricLengthText);
+  if (place != std::string::npos) text.replace(place, kMetricLengthText.size(), variant.metric_length);
+}
+
+Figure with_metric_lengths(Figure figure, const std::vector<VariantResult>& variants) {
+  size_t first = 0;
+  for (auto panel = figure.panels.rbegin(); panel != figure.panels.rend(); ++panel) {
+    for (Curve& curve : panel->curves) name_metric_length(curve.label, variants.at(curve.variant));
+    if (!panel->curves.empty()) first = panel->curves.front().variant;
+  }
+  name_metric_length(figure.title, variants.at(first));
+  return figure;
 }
 
 }  // namespace
@@ -205,7 +232,9 @@ std::filesystem::path draw_figures(const ExperimentResult& result, const std::fi
   std::vector<RunSamples> runs;
   for (const VariantResult& variant : result.variants) runs.push_back({variant.records, variant.settings});
   std::filesystem::path figures = folder / "figures";
-  for (const Figure& figure : result.experiment.figures) draw(figure, runs, figures);
+  for (const Figure& figure : result.experiment.figures) {
+    draw(with_metric_lengths(figure, result.variants), runs, figures);
+  }
   return figures;
 }
 

@@ -35,6 +35,7 @@ struct VariantResult {
   std::optional<RealtimeReport> real_time;     ///< not set: time was simulated
   std::string physics_rate_choice = {};        ///< why physics ran at its rate, where that was measured
   std::optional<DisplaySummary> display = {};  ///< of a run on an interface
+  std::string metric_length = {};              ///< as figures name it: "1 m", "gyration length"
 };
 
 struct ExperimentResult {

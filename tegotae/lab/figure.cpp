@@ -5,8 +5,10 @@
 #include <tegotae/lab/thinning.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string_view>
@@ -15,7 +17,15 @@ namespace tegotae {
 namespace {
 
 // Of the picture, in pixels of the PNG and units of the SVG.
-constexpr int kWidth = 900, kTopHeight = 90, kPanelHeight = 260;
+constexpr int kWidth = 900, kTopHeight = 90, kPanelHeight = 260, kLineHeight = 22;
+
+// Characters of a title that surely fit into the width: letters are 0.6 of the font's size wide on the average, and the
+// PNG's title is 19 pixels high.
+constexpr size_t kTitleColumns = 76;
+
+// One curve or two under a reference are wide and in lighter tones of their hues, so that both are seen where they are
+// the same. More of them would hide each other.
+constexpr std::array<const char*, 2> kTones = {"#cda4ee", "#7fd0b3"};
 
 // Points of a curve after thinning: about one a pixel.
 constexpr size_t kMaxPoints = 1000;
@@ -33,8 +43,10 @@ std::vector<std::vector<PlotPoint>> parts_of(const Panel& panel, const Figure& f
     if (is_drawn) parts.back().push_back(point);
     in_gap = !is_drawn;
   }
+  size_t drawn = 0;
+  for (const std::vector<PlotPoint>& part : parts) drawn += part.size();
   for (std::vector<PlotPoint>& part : parts) {
-    part = thinned(part, std::max<size_t>(2, kMaxPoints * part.size() / run.records.size()));
+    part = thinned(part, std::max<size_t>(2, kMaxPoints * part.size() / drawn));
   }
   return parts;
 }
@@ -60,6 +72,14 @@ std::string data_of(const Figure& figure, std::span<const RunSamples> runs) {
   return text;
 }
 
+std::string style_of(const Panel& panel, size_t i) {
+  if (panel.curves[i].is_reference) return "lw 1.5 dt (10,6) lc rgb '#000000'";
+  const auto references = static_cast<size_t>(
+      std::count_if(panel.curves.begin(), panel.curves.end(), [](const Curve& curve) { return curve.is_reference; }));
+  const bool is_wide = references > 0 && i < kTones.size() && panel.curves.size() - references <= kTones.size();
+  return is_wide ? fmt::format("lw 5 lc rgb '{}'", kTones[i]) : fmt::format("lw 2 lt {}", i + 1);
+}
+
 std::string commands_of_panel(const Figure& figure, const Panel& panel, int& index) {
   const bool is_logarithmic = panel.logarithmic_from > 0.0;
   std::string text = is_logarithmic ? fmt::format("set logscale y\nset format y '10^{{%T}}'\nset yrange [{:g}:*]\n",
@@ -72,8 +92,7 @@ std::string commands_of_panel(const Figure& figure, const Panel& panel, int& ind
     const std::string title =
         panel.curves.size() > 1 && !curve.label.empty() ? fmt::format("title \"{}\"", curve.label) : "notitle";
     fmt::format_to(std::back_inserter(text), "{}'{}.dat' index {} with lines {} {}", i > 0 ? ", \\\n  " : "",
-                   figure.name, index,
-                   curve.is_reference ? "lw 1 dt 2 lc rgb '#202020'" : fmt::format("lw 2 lt {}", i + 1), title);
+                   figure.name, index, style_of(panel, i), title);
     ++index;
   }
   text += "\nset yrange [*:*]\n";
@@ -83,9 +102,11 @@ std::string commands_of_panel(const Figure& figure, const Panel& panel, int& ind
 
 // The same drawing for both formats.
 std::string script_of(const Figure& figure) {
-  const int height = kTopHeight + kPanelHeight * static_cast<int>(figure.panels.size());
+  const std::vector<std::string> title = lines_of(figure.title, kTitleColumns);
+  const int height = kTopHeight + kLineHeight * static_cast<int>(title.size() - 1) +
+                     kPanelHeight * static_cast<int>(figure.panels.size());
   std::string drawing =
-      fmt::format("set multiplot layout {},1 title \"{}\" font ',14'\n", figure.panels.size(), figure.title);
+      fmt::format("set multiplot layout {},1 title \"{}\" font ',14'\n", figure.panels.size(), fmt::join(title, "\\n"));
   int index = 0;
   for (size_t i = 0; i < figure.panels.size(); ++i) {
     if (i + 1 == figure.panels.size()) drawing += fmt::format("set xlabel \"{}\"\n", figure.x_label);

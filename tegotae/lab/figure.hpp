@@ -20,7 +20,7 @@ struct Curve {
   std::string label;   ///< in the key; empty: not in it
   size_t variant = 0;  ///< of the experiment: which run it is drawn from
   Quantity quantity;
-  bool is_reference = false;  ///< drawn thin and dashed over the others
+  bool is_reference = false;  ///< drawn thin, dashed and black over the others
 };
 
 /// One system of axes. Panels of a figure stand below each other and share the horizontal axis.
@@ -32,8 +32,8 @@ struct Panel {
 };
 
 struct Figure {
-  std::string name;  ///< of the files
-  std::string title;
+  std::string name;              ///< of the files
+  std::string title;             ///< as gnuplot's markup; broken into lines where it is long
   std::string paper_title = {};  ///< added to the title where the method is the paper's
   std::string x_label = "time [s]";
   Quantity x = [](const TickRecord& record, const SessionSettings&) { return record.time; };

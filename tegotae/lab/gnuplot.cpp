@@ -19,6 +19,36 @@ void run_gnuplot(const std::string& name, const std::filesystem::path& folder) {
   }
 }
 
+std::string gnuplot_text(std::string_view text) {
+  constexpr std::string_view kMarkup = "_^{}@&~";
+  std::string escaped;
+  for (const char c : text) {
+    if (kMarkup.find(c) != std::string_view::npos) {
+      escaped += "\\\\";  // one for the quotes, one for the markup
+    } else if (c == '"') {
+      escaped += '\\';
+    } else if (c == '\\') {
+      escaped += "\\\\\\";
+    }
+    escaped += c;
+  }
+  return escaped;
+}
+
+std::vector<std::string> lines_of(std::string_view text, size_t columns) {
+  std::vector<std::string> lines;
+  while (text.size() > columns) {
+    const size_t space = text.rfind(' ', columns);
+    const bool at_space = space != std::string_view::npos && space > 0;
+    size_t end = at_space ? space : columns;
+    while (!at_space && end > 1 && text[end - 1] == '\\') --end;
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(at_space ? end + 1 : end);
+  }
+  lines.emplace_back(text);
+  return lines;
+}
+
 std::string gnuplot_script(const std::string& name, const std::string& settings, const std::string& drawing, int width,
                            int height) {
   const auto terminal = [&](const char* kind, int font, const char* ending) {

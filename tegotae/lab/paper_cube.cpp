@@ -6,6 +6,8 @@
 #include <tegotae/lab/quantities.hpp>
 #include <tegotae/math/rotation.hpp>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -66,17 +68,19 @@ Quantity near_face(Quantity quantity) {
 }
 
 std::vector<Curve> both_lengths(const Quantity& rendered, const Quantity& reference) {
-  return {{"l = 1 m", 0, rendered, false},
-          {"l = gyration length", 1, rendered, false},
+  const std::string length = fmt::format("l = {}", kMetricLengthText);
+  return {{length, 0, rendered, false},
+          {length, 1, rendered, false},
           {"closed form", 0, reference, true},
           {"", 1, reference, true}};
 }
 
 std::vector<Figure> edge_to_face_figures() {
   const Vector3 y = Vector3::UnitY(), z = Vector3::UnitZ();
-  Figure force{.name = "figure-5", .title = "Height and force, l = 1 m", .paper_title = "(the paper's figure 5)"};
+  const std::string length = fmt::format("l = {}", kMetricLengthText);
+  Figure force{.name = "figure-5", .title = "Height and force, " + length, .paper_title = "(the paper's figure 5)"};
   force.panels = {{"y [m]", {{"y", 0, position_along(y), false}}}, {"f_y [N]", {{"f_y", 0, force_along(y), false}}}};
-  Figure torque{.name = "figure-6", .title = "Angle and torque, l = 1 m", .paper_title = "(the paper's figure 6)"};
+  Figure torque{.name = "figure-6", .title = "Angle and torque, " + length, .paper_title = "(the paper's figure 6)"};
   torque.panels = {{"{/Symbol q}_z [deg]", {{"{/Symbol q}_z", 0, angle_about(z), false}}},
                    {"{/Symbol t}_z [N m]", {{"{/Symbol t}_z", 0, torque_along(z), false}}}};
   Figure metric{.name = "metric-length", .title = "Force and torque with both metric lengths"};

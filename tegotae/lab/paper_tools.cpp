@@ -6,6 +6,8 @@
 #include <tegotae/lab/quantities.hpp>
 #include <tegotae/math/rotation.hpp>
 
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 
@@ -37,7 +39,8 @@ Trajectory press_and_roll_motion(const Tool& tool) {
 }
 
 std::vector<Curve> both_lengths(const Quantity& rendered) {
-  return {{"l = 1 m", 0, rendered, false}, {"l = gyration length", 1, rendered, false}};
+  const std::string length = fmt::format("l = {}", kMetricLengthText);
+  return {{length, 0, rendered, false}, {length, 1, rendered, false}};
 }
 
 std::vector<Figure> press_and_roll_figures() {

@@ -4,13 +4,16 @@
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/quantities.hpp>
 #include <tegotae/math/rotation.hpp>
+#include <tests/lab/svg_texts.hpp>
 #include <tests/lab/temporary_folder.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace tegotae {
@@ -101,6 +104,55 @@ TEST(Figures, HaveTheRangeThatIsSaidInItsPanelAlone) {
   ASSERT_NE(set, std::string::npos);
   EXPECT_LT(set, script.find("set ylabel \"y [m]\""));
   EXPECT_LT(freed, script.find("set ylabel \"f_y [N]\""));
+}
+
+// Whatever stands in a title; a name of a file may be one long word.
+TEST(Figures, LetNoTextLeaveThePicture) {
+  const std::vector<TickRecord> records = turning_ticks();
+  const SessionSettings settings;
+  const std::string words = "From the edge to the face at constant depth (method proxy) (on spidar-g6:x3r,simulated) ";
+  for (const std::string& title : {words + words, std::string(200, 'W'), std::string("short")}) {
+    const TemporaryFolder folder;
+    Figure figure = two_panels();
+    figure.title = title;
+    figure.panels[1].label = "|displayed - commanded| [mN m]";
+    draw(figure, std::vector<RunSamples>{{records, settings}}, folder.path());
+    const std::string svg = contents_of(folder.path() / "both.svg");
+    EXPECT_THAT(texts_outside(svg), testing::IsEmpty());
+    EXPECT_TRUE(shows_text(svg, "time [s]"));
+  }
+  EXPECT_THAT(texts_outside("<svg width=\"100\" height=\"50\">"
+                            "<g transform=\"translate(50.0,20.0)\" font-size=\"14.00\"  text-anchor=\"middle\">\n"
+                            "<text><tspan>as wide as two</tspan></text>"),
+              testing::ElementsAre("as wide as two"));
+}
+
+// Where a reference is drawn over what it is the reference of, both are seen: the one below is the wider.
+TEST(Figures, DrawAReferenceThinOverAWideCurve) {
+  const TemporaryFolder folder;
+  const std::vector<TickRecord> records = turning_ticks();
+  const SessionSettings settings;
+  Figure figure = two_panels();
+  draw(figure, std::vector<RunSamples>{{records, settings}}, folder.path());
+  const std::string script = contents_of(folder.path() / "both.gnuplot");
+  const size_t wide = script.find("index 1 with lines lw 5"), thin = script.find("index 2 with lines lw 1.5 dt");
+  ASSERT_NE(wide, std::string::npos);
+  EXPECT_LT(wide, thin);
+  EXPECT_THAT(script, HasSubstr("index 0 with lines lw 2 lt 1"));
+}
+
+TEST(Figures, HaveAsManyPointsOfAShortPartAsOfAWholeRun) {
+  const TemporaryFolder folder;
+  const std::vector<TickRecord> records = turning_ticks();
+  const SessionSettings settings;
+  Figure figure{.name = "part", .title = "A part"};
+  const Quantity of_part = [](const TickRecord& record, const SessionSettings&) {
+    return record.time < 0.1 ? std::sin(1e3 * record.time) : std::nan("");
+  };
+  figure.panels = {{"t [s]", {{"", 0, of_part, false}}}};
+  draw(figure, std::vector<RunSamples>{{records, settings}}, folder.path());
+  const std::string data = contents_of(folder.path() / "part.dat");
+  EXPECT_GE(std::count(data.begin(), data.end(), '\n'), 100);
 }
 
 TEST(Figures, SayWhereTheyCannotBeWritten) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tests/lab/program_run.hpp>
 #include <tests/lab/samples_table.hpp>
+#include <tests/lab/svg_texts.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,6 +31,8 @@ TEST(ProgramInterface, AnExperimentRunsOnASimulatedSpidarAndRepeats) {
         run_program({"experiment", "paper-cube", "--method", "paper", "--interface", "spidar-g6:x3r,simulated",
                      "--hand", "relaxed", "--out", (folder.path() / name).string()});
     ASSERT_EQ(result.exit_code, 0) << result.err;
+    // Of 1 m the interface bears sqrt(k_r / k): 0.9 (1e-3 + 0.065) N m s/rad / 0.5 ms, over 9000 N/m.
+    EXPECT_THAT(result.out, HasSubstr("metric length 1 m, the paper's equations literally; held to 0.115 m"));
     EXPECT_THAT(result.out, HasSubstr("displayed less commanded"));
     EXPECT_THAT(result.out, HasSubstr("of 6001 ticks"));
     EXPECT_THAT(result.err, HasSubstr("warning: one-metre: spidar-g6:x3r,simulated in a relaxed hand is rated for"));
@@ -41,6 +44,16 @@ TEST(ProgramInterface, AnExperimentRunsOnASimulatedSpidarAndRepeats) {
   for (const char* name : {"displayed-force", "displayed-torque-gyration", "hand-and-tool", "figure-5"}) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "first" / "figures" / (name + std::string(".svg")))) << name;
   }
+  const auto figures = folder.path() / "first" / "figures";
+  for (const auto& entry : std::filesystem::directory_iterator(figures)) {
+    if (entry.path().extension() != ".svg") continue;
+    EXPECT_THAT(texts_outside(contents_of(entry.path())), testing::IsEmpty()) << entry.path();
+  }
+  const std::string face = contents_of(figures / "face-contact.svg");
+  EXPECT_TRUE(shows_text(face, "l = 0.115 m"));
+  EXPECT_TRUE(shows_text(face, "l = gyration length"));
+  EXPECT_FALSE(shows_text(face, "l = 1 m"));
+  EXPECT_THAT(contents_of(figures / "figure-5.svg"), HasSubstr("Height and force, l = 0.115 m"));
   // A later run without an interface leaves none of it.
   ASSERT_EQ(run_program({"experiment", "paper-cube", "--out", (folder.path() / "first").string()}).exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "first" / "figures" / "displayed-force.svg"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tests/lab/program_run.hpp>
 #include <tests/lab/samples_table.hpp>
+#include <tests/lab/svg_texts.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -74,6 +75,16 @@ TEST(ProgramExperiment, LeavesSamplesSummaryAndFigures) {
       EXPECT_GT(std::filesystem::file_size(folder.path() / "figures" / (name + std::string(format))), 1000U) << name;
     }
   }
+}
+
+TEST(ProgramExperiment, ItsFiguresNameWhatWasRendered) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"experiment", "paper-cube", "--out", folder.path().string()}).exit_code, 0);
+  const std::string svg = contents_of(folder.path() / "figures" / "metric-length.svg");
+  EXPECT_TRUE(shows_text(svg, "l = 1 m"));
+  EXPECT_TRUE(shows_text(svg, "l = gyration length"));
+  EXPECT_TRUE(
+      shows_text(contents_of(folder.path() / "figures" / "figure-5.svg"), "Height and force, l = 1 m (method proxy)"));
 }
 
 TEST(ProgramExperiment, RepeatsBitForBitWhereverItWrites) {
