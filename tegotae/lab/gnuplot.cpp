@@ -7,6 +7,16 @@
 #include <fmt/format.h>
 
 namespace tegotae {
+namespace {
+
+// The last space within the first `columns` characters, rather before a bracket than within; 0: none.
+size_t place_to_break(std::string_view text, size_t columns) {
+  const size_t bracket = text.rfind(" (", columns), space = text.rfind(' ', columns);
+  if (bracket != std::string_view::npos && 2 * bracket > columns) return bracket;
+  return space == std::string_view::npos ? 0 : space;
+}
+
+}  // namespace
 
 void run_gnuplot(const std::string& name, const std::filesystem::path& folder) {
   const ChildResult result = run_child({"gnuplot", name + ".gnuplot"}, folder);
@@ -38,8 +48,8 @@ std::string gnuplot_text(std::string_view text) {
 std::vector<std::string> lines_of(std::string_view text, size_t columns) {
   std::vector<std::string> lines;
   while (text.size() > columns) {
-    const size_t space = text.rfind(' ', columns);
-    const bool at_space = space != std::string_view::npos && space > 0;
+    const size_t space = place_to_break(text, columns);
+    const bool at_space = space > 0;
     size_t end = at_space ? space : columns;
     while (!at_space && end > 1 && text[end - 1] == '\\') --end;
     lines.emplace_back(text.substr(0, end));

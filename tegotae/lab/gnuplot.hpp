@@ -16,8 +16,8 @@ void run_gnuplot(const std::string& name, const std::filesystem::path& folder);
 /// as the end of the text is escaped.
 std::string gnuplot_text(std::string_view text);
 
-/// `text` in lines of `columns` characters at most (above 0), broken at spaces, else within a word. Markup counts as
-/// what it is written with, and an escape is not taken apart.
+/// `text` in lines of `columns` characters at most (above 0), broken at spaces, rather before a bracket, else within a
+/// word. Markup counts as what it is written with, and an escape is not taken apart.
 std::vector<std::string> lines_of(std::string_view text, size_t columns);
 
 /// A script that makes the same `drawing` (gnuplot commands) twice, as NAME.svg and NAME.png of `width` and `height`

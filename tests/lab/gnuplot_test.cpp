@@ -19,6 +19,8 @@ TEST(GnuplotLines, AreBrokenAtSpaces) {
   EXPECT_EQ(lines_of("ten letter", 10), Lines{"ten letter"});
   EXPECT_EQ(lines_of("eleven char", 10), (Lines{"eleven", "char"}));
   EXPECT_EQ(lines_of("one two three four", 7), (Lines{"one two", "three", "four"}));
+  EXPECT_EQ(lines_of("one two (three four) five", 13), (Lines{"one two", "(three four)", "five"}))
+      << "not in a bracket";
 }
 
 TEST(GnuplotLines, BreakAWordThatFillsNoLineButNoEscape) {
@@ -35,8 +37,7 @@ TEST(GnuplotText, IsShownLetterByLetter) {
   run_gnuplot("text", folder.path());
   std::string titles;
   for (const SvgText& shown : svg_texts(contents_of(folder.path() / "text.svg"))) titles += shown.text + "|";
-  // An ampersand stands for whatever the SVG writes as an entity.
-  EXPECT_THAT(titles, testing::HasSubstr(R"(a_b^c {d} @e &f ~g &h& 'i' \j \n)"));
+  EXPECT_THAT(titles, testing::HasSubstr(text));
 }
 
 }  // namespace
