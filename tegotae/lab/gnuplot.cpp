@@ -12,7 +12,7 @@ namespace {
 // The last space within the first `columns` characters, rather before a bracket than within; 0: none.
 size_t place_to_break(std::string_view text, size_t columns) {
   const size_t bracket = text.rfind(" (", columns), space = text.rfind(' ', columns);
-  if (bracket != std::string_view::npos && 2 * bracket > columns) return bracket;
+  if (bracket != std::string_view::npos && 3 * bracket > columns) return bracket;
   return space == std::string_view::npos ? 0 : space;
 }
 
