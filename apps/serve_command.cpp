@@ -84,6 +84,12 @@ const InterfaceDriver& driver_called(const std::string& name) {
 HeldInterface hold_interface(const std::string& text) {
   if (text == "page") return {};
   const InterfaceName name = parse_interface_name(text);
+  if (name.driver == "simulated") {
+    throw UsageError(
+        fmt::format("{0}: a simulated hand holds it, which follows an experiment: tegotae experiment NAME --interface "
+                    "{0}; here leave --interface out: the page is the hand.",
+                    text));
+  }
   const InterfaceDriver& driver = driver_called(name.driver);
   listen_for_interruption();  // from here on a signal leaves by way of the interface's destructor
   HeldInterface held;
@@ -171,8 +177,8 @@ void add_serve_command(CLI::App& program) {
   command
       ->add_option(
           "--interface", options->interface,
-          "Interface in the hand: one that 'tegotae interfaces' lists, or page: simulated, guided from the page; "
-          "default: page")
+          "Interface in the hand: one that 'tegotae interfaces' lists (but simulated:NAME, which is for experiments); "
+          "default: page, simulated and guided from the page")
       ->type_name("NAME[:OPTIONS]");
   command->add_option("--record", options->recording, "Recording (MCAP) to write from the beginning")
       ->type_name("FILE")

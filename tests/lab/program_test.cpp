@@ -252,6 +252,8 @@ TEST(ProgramServe, RefusesWhatMakesNoSenseBeforeItServes) {
   expect_one_sentence(with("--clutch-button", "0"), 2, "the page has no buttons for --clutch-button");
   expect_one_sentence(with("--dead-man-button", "0"), 2, "the page has no buttons for --dead-man-button");
   expect_one_sentence(with("--translation-scale", "2"), 2, "the page moves the tool itself, without scales");
+  expect_one_sentence(with("--interface", "simulated:parallel"), 2,
+                      "tegotae experiment NAME --interface simulated:parallel");
   expect_one_sentence(with("--tool", "hammer"), 2, "--tool is a body of SCENE");
   expect_one_sentence(with("--recordings", "/proc/none"), 2, "--recordings: ");
 }
