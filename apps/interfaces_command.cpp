@@ -40,23 +40,25 @@ void print_spidar_presets() {
   for (const SpidarPreset& preset : spidar_presets()) fmt::print("    {}: {}\n", preset.name, preset.remark);
 }
 
-void print_driver(const InterfaceDriver& driver) {
+void print_driver(const InterfaceDriver& driver, const std::string& options = {}) {
   fmt::print("{}\n    {}\n", line_of(driver), driver.summary);
-  const InterfacePresence found = driver.find();
+  const InterfacePresence found = find_interface(driver, options);
   if (!found.library.empty()) fmt::print("    library: {}\n", found.library);
   if (found.library.empty() && !found.looked_for.empty()) {
     fmt::print("    library: not found; looked for {}\n", fmt::join(found.looked_for, ", "));
   }
   for (const std::string& device : found.devices) fmt::print("    present: {}\n", device);
   if (!found.trouble.empty()) fmt::print("    {}\n", found.trouble);
-  fmt::print("    after a crash: {}\n", driver.after_a_crash);
+  const bool is_known = !options.empty() && found.trouble.empty();
+  fmt::print("    after a crash: {}\n",
+             is_known ? rescue_of(driver, options).after_a_crash : std::string(driver.after_a_crash));
   if (driver.name == kSpidar) print_spidar_presets();
 }
 
-void list(const std::string& name) {
-  if (name == "page") return print_page();
-  if (name == "simulated") return print_simulated();
-  if (!name.empty()) return print_driver(find_interface_driver(name, known_drivers()));
+void list(const InterfaceName& name) {
+  if (name.driver == "page") return print_page();
+  if (name.driver == "simulated") return print_simulated();
+  if (!name.driver.empty()) return print_driver(find_interface_driver(name.driver, known_drivers()), name.options);
   print_page();
   print_simulated();
   for (const InterfaceDriver* driver : known_drivers()) print_driver(*driver);
@@ -73,8 +75,7 @@ SpidarGeometry chosen_spidar(const InterfaceName& name) {
         "--workspace draws what the strings of a SPIDAR reach: give spidar-g6, spidar-g6:PRESET or spidar-g6:FILE{}.",
         name.driver.empty() ? "" : fmt::format(", not '{}'", name.driver)));
   }
-  const std::string_view options =
-      is_simulated(name) ? std::string_view(name.options).substr(0, name.options.rfind(',')) : name.options;
+  const std::string_view options = std::string_view(name.options).substr(0, name.options.find(','));
   return spidar_geometry_of(options.empty() ? "x3r" : options);
 }
 
@@ -104,7 +105,7 @@ void run(const InterfacesOptions& options) {
     if (options.workspace) {
       print_workspace(options);
     } else {
-      list(parse_interface_name(options.name).driver);
+      list(parse_interface_name(options.name));
     }
   } catch (const InterfaceError& error) {
     throw UsageError(error.what());
@@ -117,7 +118,8 @@ void add_interfaces_command(CLI::App& program) {
   auto options = std::make_shared<InterfacesOptions>();
   CLI::App* const command = program.add_subcommand(
       "interfaces", "List the interfaces that there are drivers for, and what of them is present.");
-  command->add_option("DRIVER", options->name, "Only this one")->type_name("");
+  command->add_option("DRIVER", options->name, "Only this one; also with options, as 'serve' takes it: DRIVER:OPTIONS")
+      ->type_name("");
   command->add_flag("--workspace", options->workspace,
                     "Of spidar-g6, spidar-g6:PRESET or spidar-g6:FILE (default: x3r): draw what its strings reach");
   command->add_option("--out", options->folder, "Folder for what --workspace draws; default: out/workspace/NAME")

@@ -93,19 +93,20 @@ HeldInterface hold_interface(const std::string& text) {
   const InterfaceDriver& driver = driver_called(name.driver);
   listen_for_interruption();  // from here on a signal leaves by way of the interface's destructor
   HeldInterface held;
-  if (driver.silence != nullptr) {
+  const InterfaceRescue rescue = rescue_of(driver, name.options);
+  if (rescue.time != RescueTime::kNever) {
     // A core dump would keep the sockets open while it is written, and the device at its last force.
     prctl(PR_SET_DUMPABLE, 0);
     held.guard = std::make_unique<GuardProcess>("/proc/self/exe", std::vector<std::string>{"guard", text});
   }
-  fmt::print("tegotae: opening {}; a device that is not calibrated may move by itself: hands off.\n", text);
+  fmt::print("tegotae: opening {}; {}.\n", text, driver.before_opening);
   std::fflush(stdout);
   held.device = driver.open(name.options);
   const InterfaceCapability capability = held.device->capability();
   const std::string limits = std::isfinite(capability.max_force)
                                  ? fmt::format("{:g} N, {:g} N m at most", capability.max_force, capability.max_torque)
                                  : "without limits of its own";
-  fmt::print("tegotae: {} is in the hand: {}. After a crash: {}\n", capability.name, limits, driver.after_a_crash);
+  fmt::print("tegotae: {} is in the hand: {}. After a crash: {}\n", capability.name, limits, rescue.after_a_crash);
   return held;
 }
 

@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS tegotae_core tegotae_mujoco tegotae_stream tegotae_lab tegotae EXPORT tegotae-targets)
-install(DIRECTORY tegotae DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY tegotae DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/tegotae)
 install(FILES tools/split/split.js tools/split/package.json DESTINATION ${CMAKE_INSTALL_DATADIR}/tegotae/split)
 install(EXPORT tegotae-targets NAMESPACE tegotae:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/tegotae)

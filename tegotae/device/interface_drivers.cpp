@@ -18,6 +18,21 @@ std::span<const InterfaceDriver* const> interface_drivers() {
   return drivers;
 }
 
+InterfacePresence find_interface(const InterfaceDriver& driver, std::string_view options) {
+  if (options.empty() || driver.find_with == nullptr) return driver.find();
+  try {
+    return driver.find_with(options);
+  } catch (const InterfaceError& error) {
+    return {"", {}, {}, error.what()};
+  }
+}
+
+InterfaceRescue rescue_of(const InterfaceDriver& driver, std::string_view options) {
+  if (driver.rescue != nullptr) return driver.rescue(options);
+  const RescueTime time = driver.silence == nullptr ? RescueTime::kNever : RescueTime::kAfterDeath;
+  return {time, std::string(driver.after_a_crash)};
+}
+
 InterfaceName parse_interface_name(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return {std::string(text), ""};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/spidar_file.hpp>
 
+#include <tegotae/device/spidar_presets.hpp>
 #include <tegotae/device/spidar_reach.hpp>
 
 #include <array>
@@ -161,6 +162,20 @@ SpidarGeometry read_spidar_file(const std::filesystem::path& file) {
     throw SpidarFileError(file.string() + ": " + fault.what());
   }
   return geometry;
+}
+
+SpidarGeometry find_spidar_geometry(std::string_view preset_or_file) {
+  std::string names;
+  for (const SpidarPreset& preset : spidar_presets()) {
+    if (preset.name == preset_or_file) return preset.geometry;
+    if (!preset.is_refused) names.append(names.empty() ? "" : ", ").append(preset.name);
+  }
+  std::error_code error;
+  if (!std::filesystem::exists(preset_or_file, error)) {
+    throw SpidarFileError("'" + std::string(preset_or_file) + "' is neither a SPIDAR that has a name (" + names +
+                          ") nor a file with the geometry of one.");
+  }
+  return read_spidar_file(preset_or_file);
 }
 
 }  // namespace tegotae

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <string_view>
 
 namespace tegotae {
 
@@ -27,5 +28,10 @@ struct SpidarFileError : std::runtime_error {
 ///
 /// Throws SpidarFileError, and for a geometry without force closure as check_force_closure. Allocates.
 SpidarGeometry read_spidar_file(const std::filesystem::path& file);
+
+/// The geometry of the preset that is called so (spidar_presets.hpp), else that of the file. Throws SpidarFileError,
+/// with the names that there are, where it is neither, and as `read_spidar_file`. A preset's force closure is not
+/// checked. Allocates.
+SpidarGeometry find_spidar_geometry(std::string_view preset_or_file);
 
 }  // namespace tegotae

@@ -40,7 +40,8 @@ InterfaceCapability capability_of(const SpidarSettings& settings) {
 
 }  // namespace
 
-SpidarInterface::SpidarInterface(const SpidarSettings& settings, std::unique_ptr<SpidarTransport> transport)
+SpidarInterface::SpidarInterface(const SpidarSettings& settings, std::unique_ptr<SpidarTransport> transport,
+                                 SpidarZero zero)
     : settings_(checked(settings)),
       transport_(std::move(transport)),
       capability_(capability_of(settings)),
@@ -52,7 +53,7 @@ SpidarInterface::SpidarInterface(const SpidarSettings& settings, std::unique_ptr
   for (int i = 0; i < kSpidarStrings; ++i) {
     metres_per_pulse_[i] = settings_.geometry.strings[static_cast<std::size_t>(i)].metres_per_pulse;
   }
-  if (calibrate() != InterfaceStatus::kOk) {
+  if (!begin(zero)) {
     throw std::runtime_error("the SPIDAR '" + settings_.geometry.name +
                              "' does not answer: check its power, its cable and the rights on its port.");
   }
@@ -61,14 +62,18 @@ SpidarInterface::SpidarInterface(const SpidarSettings& settings, std::unique_ptr
 SpidarInterface::~SpidarInterface() { transport_->write(min_); }
 
 InterfaceStatus SpidarInterface::calibrate() noexcept {
+  return begin(SpidarZero::kHere) ? InterfaceStatus::kOk : InterfaceStatus::kLost;
+}
+
+bool SpidarInterface::begin(SpidarZero zero) noexcept {
   pose_ = {};
   last_lengths_ = spidar_strings(settings_.geometry, {}).lengths;
   last_time_ = -std::numeric_limits<double>::infinity();
   is_doubted_ = false;
   lost();
-  if (!transport_->write(min_) || !transport_->reset()) return InterfaceStatus::kLost;
+  if (!transport_->write(min_) || (zero == SpidarZero::kHere && !transport_->reset())) return false;
   is_lost_ = false;
-  return InterfaceStatus::kOk;
+  return true;
 }
 
 InterfaceStatus SpidarInterface::read(double time, InterfaceState& state) noexcept {
@@ -77,7 +82,8 @@ InterfaceStatus SpidarInterface::read(double time, InterfaceState& state) noexce
   if (!fit(lengths(counts), time)) return lost();
   is_lost_ = false;
   state = {};
-  state.time = time;
+  state.time = time - transport_->age();
+  state.buttons = transport_->buttons();
   state.X_WT = settings_.X_WS * pose_.X_SG;
   history_.add(time, state.X_WT);
   state.V_WT = history_.velocity(settings_.velocity_window);

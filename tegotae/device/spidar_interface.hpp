@@ -20,6 +20,12 @@ struct SpidarSettings {
   double rate = 1000.0;           ///< Hz, of its board
 };
 
+/// Where the zero of the counts comes from when a SPIDAR is taken into use.
+enum class SpidarZero : std::uint8_t {
+  kHere,  ///< calibrated now: the grip is held at the centre, unrotated
+  kKept,  ///< of an earlier calibration, which the board has kept
+};
+
 /// Driver of a SPIDAR with eight strings, on a transport. The tool's frame is the grip's.
 ///
 /// `read`: counts to string lengths (those at the centre, plus pulses, plus what the tensions last written stretch), to
@@ -33,9 +39,10 @@ struct SpidarSettings {
 /// not allocate.
 class SpidarInterface final : public HapticInterface {
  public:
-  /// Calibrates: the grip must be held at the centre, unrotated. Throws std::invalid_argument for a geometry that
-  /// cannot be used (check_force_closure), std::runtime_error where the transport does not answer. Allocates.
-  SpidarInterface(const SpidarSettings& settings, std::unique_ptr<SpidarTransport> transport);
+  /// With SpidarZero::kHere the grip must be held at the centre, unrotated. Throws std::invalid_argument for a geometry
+  /// that cannot be used (check_force_closure), std::runtime_error where the transport does not answer. Allocates.
+  SpidarInterface(const SpidarSettings& settings, std::unique_ptr<SpidarTransport> transport,
+                  SpidarZero zero = SpidarZero::kHere);
   ~SpidarInterface() override;
   SpidarInterface(const SpidarInterface&) = delete;
   SpidarInterface& operator=(const SpidarInterface&) = delete;
@@ -56,6 +63,7 @@ class SpidarInterface final : public HapticInterface {
  private:
   SpidarVector lengths(const SpidarVector& counts) const noexcept;
   bool fit(const SpidarVector& lengths, double time) noexcept;
+  bool begin(SpidarZero zero) noexcept;
   InterfaceStatus lost() noexcept;
 
   SpidarSettings settings_;

@@ -112,8 +112,8 @@ std::string described(const InterfacePresence& presence) {
   return text.empty() ? "no device seen." : text + "; no device seen.";
 }
 
-Finding driver_finding(const InterfaceDriver& driver, bool wanted) {
-  const InterfacePresence presence = driver.find();
+Finding driver_finding(const InterfaceDriver& driver, bool wanted, std::string_view options) {
+  const InterfacePresence presence = find_interface(driver, wanted ? options : std::string_view());
   const bool fine = presence.trouble.empty();
   const Verdict missing = wanted ? Verdict::kNotPossible : Verdict::kCouldBeBetter;
   return {fine ? Verdict::kOk : missing, std::string(driver.name), described(presence), presence.trouble};
@@ -166,12 +166,13 @@ std::vector<Finding> usb_findings(const SystemRoots& roots, const NodeAccess& ma
   return findings;
 }
 
-std::vector<Finding> driver_findings(std::span<const InterfaceDriver* const> drivers, std::string_view wanted) {
+std::vector<Finding> driver_findings(std::span<const InterfaceDriver* const> drivers, std::string_view wanted,
+                                     std::string_view options) {
   std::vector<Finding> findings;
   bool found = wanted.empty();
   std::string names;
   for (const InterfaceDriver* driver : drivers) {
-    findings.push_back(driver_finding(*driver, driver->name == wanted));
+    findings.push_back(driver_finding(*driver, driver->name == wanted, options));
     found = found || driver->name == wanted;
     names.append(names.empty() ? "" : ", ").append(driver->name);
   }
@@ -189,7 +190,7 @@ std::vector<Finding> interface_findings(const InterfaceName& wanted) {
     check_there_is(wanted.driver);
   }
   std::vector<Finding> findings =
-      driver_findings(interface_drivers(), without_device.empty() ? wanted.driver : std::string());
+      driver_findings(interface_drivers(), without_device.empty() ? wanted.driver : std::string(), wanted.options);
   findings.insert(findings.begin(), without_device.begin(), without_device.end());
   return findings;
 }

@@ -23,9 +23,10 @@ bool may_use_node(const std::filesystem::path& node);
 std::vector<Finding> usb_findings(const SystemRoots& roots, const NodeAccess& may_use = may_use_node);
 
 /// A finding for each driver: whether its library and a device were found, and where was looked. What is missing could
-/// be better, as nobody owns all of them; for the one called `wanted` (empty: none) it is not possible. Throws
-/// InputError, with the names, where no driver is called so.
-std::vector<Finding> driver_findings(std::span<const InterfaceDriver* const> drivers, std::string_view wanted);
+/// be better, as nobody owns all of them; for the one called `wanted` (empty: none), with its `options`, it is not
+/// possible. Throws InputError, with the names, where no driver is called so.
+std::vector<Finding> driver_findings(std::span<const InterfaceDriver* const> drivers, std::string_view wanted,
+                                     std::string_view options = {});
 
 /// The findings of all drivers, `wanted` being what a person means to hold, as `tegotae serve --interface` takes it: a
 /// driver with or without options, or an interface without a device: "page", which needs nothing, or "playback:FILE",

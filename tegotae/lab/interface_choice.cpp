@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -44,7 +43,11 @@ std::string preset_names() {
   const std::string full = name.options.empty() ? name.driver : fmt::format("{}:{}", name.driver, name.options);
   for (const InterfaceDriver* driver : interface_drivers()) {
     if (driver->name != name.driver) continue;
-    if (driver->name == kSpidar) throw InputError(fmt::format("{}: {}", full, driver->find().trouble));
+    if (driver->name == kSpidar) {
+      throw InputError(fmt::format(
+          "'{}' is not simulated, and an experiment plays its motion in a simulated hand: give spidar-g6:{},{}.", full,
+          name.options.empty() ? "x3r" : name.options.substr(0, name.options.find(',')), kSimulated));
+    }
     throw InputError(fmt::format("'{}' is not simulated; there are: {}.", full, simulated_interface_names()));
   }
   throw InputError(
@@ -119,15 +122,8 @@ InterfaceCapability capability_in_hand(const SimulatedChoice& choice, const Hand
 }
 
 SpidarGeometry spidar_geometry_of(std::string_view preset_or_file) {
-  for (const SpidarPreset& preset : spidar_presets()) {
-    if (preset.name == preset_or_file) return preset.geometry;
-  }
-  if (!std::filesystem::exists(preset_or_file)) {
-    throw InputError(fmt::format("'{}' is neither a SPIDAR that has a name ({}) nor a file with the geometry of one.",
-                                 preset_or_file, preset_names()));
-  }
   try {
-    return read_spidar_file(preset_or_file);
+    return find_spidar_geometry(preset_or_file);
   } catch (const SpidarFileError& error) {
     throw InputError(error.what());
   }

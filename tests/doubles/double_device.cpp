@@ -122,7 +122,8 @@ bool DoubleDevice::open() {
   open_ = false;
   if (!map()) return false;
   const int opener = state_->opener.load();
-  if (state_->unplugged.load() || (opener != 0 && opener != getpid() && lives(opener))) {
+  const bool is_taken = opener != 0 && opener != getpid() && !state_->shared.load() && lives(opener);
+  if (state_->unplugged.load() || is_taken) {
     state_->refused_opens.fetch_add(1);
     return false;
   }

@@ -50,6 +50,10 @@ struct DoubleState {
   std::atomic<double> servo_rate{1000.0};               ///< Hz, of a library that has a scheduler of its own
   std::atomic<double> nominal_stiffness{400.0};         ///< N/m, as the library tells it
   std::atomic<HdOddity> oddity{HdOddity::kNone};
+  std::atomic<bool> shared{false};               ///< several living processes may have it open
+  std::atomic<int> strings{8};                   ///< of a SPIDAR, as its board tells it
+  std::atomic<int> sharing{1};                   ///< of a SPIDAR's board, as its library tells it
+  std::atomic<double> axial_stiffness{50000.0};  ///< N, tension that would stretch a SPIDAR's string by its length
 
   // What the test does to it while it runs.
   std::array<std::atomic<double>, 7> hand{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};  ///< where the hand means to be
@@ -65,6 +69,8 @@ struct DoubleState {
   std::atomic<bool> nan_pose{false}, frozen_pose{false};
   std::atomic<bool> bad_frame{false};         ///< the rotation is reported as no rotation
   std::array<std::atomic<double>, 3> jump{};  ///< m, added to the reported position
+  std::array<std::atomic<double>, 8> slip{};  ///< pulses, added to a SPIDAR's counts
+  std::atomic<std::int64_t> reading_age{0};   ///< ns, of a SPIDAR's counts, as its library tells it
   std::atomic<int> stall{0};                  ///< ms, once, in the next reading or command
   std::atomic<bool> uncalibrated{false};      ///< until the library calibrates it
   std::atomic<bool> cannot_calibrate{false};
@@ -75,10 +81,12 @@ struct DoubleState {
 
   // What the device does.
   std::array<std::atomic<double>, 7> pose{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};  ///< true: x y z qw qx qy qz
-  std::array<std::atomic<double>, 6> twist{};      ///< true: linear, of the grip's origin, then angular
-  std::array<std::atomic<double>, 6> displayed{};  ///< by the motors, as long as it is plugged in: force, torque
-  std::array<std::atomic<double>, 6> commanded{};  ///< last one received, before the motors' limits
-  std::atomic<double> gripper_force{0.0};          ///< N, commanded last
+  std::array<std::atomic<double>, 6> twist{};             ///< true: linear, of the grip's origin, then angular
+  std::array<std::atomic<double>, 6> displayed{};         ///< by the motors, as long as it is plugged in: force, torque
+  std::array<std::atomic<double>, 6> commanded{};         ///< last one received, before the motors' limits
+  std::atomic<double> gripper_force{0.0};                 ///< N, commanded last
+  std::array<std::atomic<double>, 8> tensions{};          ///< N, of a SPIDAR's strings
+  std::array<std::atomic<double>, 8> let_out_at_reset{};  ///< m, of a SPIDAR's strings, where its counts are zero
   std::atomic<bool> forces_on{false}, gravity_compensated{false}, powered{false};
   std::atomic<double> effector_mass{-1.0};                    ///< kg; -1: nobody set it
   std::atomic<double> limit_force{-1.0}, limit_torque{-1.0};  ///< N, N m, that the library was told; -1: nobody did

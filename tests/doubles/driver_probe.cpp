@@ -14,8 +14,8 @@ namespace {
 
 using tegotae::InterfaceDriver;
 
-int find(const InterfaceDriver& driver) {
-  const tegotae::InterfacePresence found = driver.find();
+int find(const InterfaceDriver& driver, const char* options) {
+  const tegotae::InterfacePresence found = tegotae::find_interface(driver, options);
   std::printf("library '%s'\n", found.library.c_str());
   for (const std::string& name : found.looked_for) std::printf("looked for '%s'\n", name.c_str());
   for (const std::string& device : found.devices) std::printf("device '%s'\n", device.c_str());
@@ -36,7 +36,7 @@ int hold(const InterfaceDriver& driver, const char* options) {
 }
 
 int run(const std::string& verb, const InterfaceDriver& driver, const char* options) {
-  if (verb == "find") return find(driver);
+  if (verb == "find") return find(driver, options);
   if (verb == "hold") return hold(driver, options);
   if (verb == "silence") return driver.silence(options) ? 0 : 1;
   std::printf("%s\n", driver.open(options)->capability().name.c_str());

@@ -7,7 +7,8 @@ include("${CMAKE_CURRENT_LIST_DIR}/commands.cmake")
 
 set(project "${WORK}/headers")
 file(REMOVE_RECURSE "${project}")
-file(GLOB_RECURSE headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/tegotae/*.hpp")
+file(GLOB_RECURSE headers RELATIVE "${PREFIX}/include" "${PREFIX}/include/tegotae/*.hpp"
+  "${PREFIX}/include/tegotae/*.h")
 if(NOT headers)
   message(FATAL_ERROR "The installed package has no headers.")
 endif()

@@ -38,8 +38,8 @@ if(NOT stiffness)
 endif()
 
 # Every header of the library is installed.
-file(GLOB_RECURSE in_source RELATIVE "${SOURCE}" "${SOURCE}/tegotae/*.hpp")
-file(GLOB_RECURSE installed RELATIVE "${PREFIX}/include" "${PREFIX}/include/*.hpp")
+file(GLOB_RECURSE in_source RELATIVE "${SOURCE}" "${SOURCE}/tegotae/*.hpp" "${SOURCE}/tegotae/*.h")
+file(GLOB_RECURSE installed RELATIVE "${PREFIX}/include" "${PREFIX}/include/*.hpp" "${PREFIX}/include/*.h")
 if(NOT in_source STREQUAL installed)
   message(FATAL_ERROR "Headers in the source: ${in_source}; installed: ${installed}")
 endif()

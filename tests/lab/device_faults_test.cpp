@@ -55,11 +55,14 @@ bool comes(const std::function<bool()>& what) {
 // A device in a hand that presses the ball on the floor with several newtons.
 class PressingDevice : public ::testing::Test {
  protected:
-  PressingDevice() {
+  PressingDevice() : PressingDevice("omega.6", "force-dimension", [](DoubleState&) {}) {}
+  PressingDevice(const char* model, const std::string& interface, const std::function<void(DoubleState&)>& prepare)
+      : device_(model) {
     scene_ = folder_.write("floor.xml", kScene);
     device_.place({Vector3::Zero(), Quaternion::Identity()});
-    program_.emplace(std::vector<std::string>{"serve", scene_, "--interface", "force-dimension", "--port", "0",
-                                              "--stiffness", "1000", "--physics-rate", "500"},
+    prepare(*device_);
+    program_.emplace(std::vector<std::string>{"serve", scene_, "--interface", interface, "--port", "0", "--stiffness",
+                                              "1000", "--physics-rate", "500"},
                      std::vector<std::string>{std::string("LD_LIBRARY_PATH=") + TEGOTAE_DOUBLES + "/force-dimension",
                                               "TEGOTAE_DOUBLE_STATE=" + device_.path()});
   }
@@ -107,7 +110,7 @@ class PressingDevice : public ::testing::Test {
   }
 
   TemporaryFolder folder_;
-  DoubleStateFile device_{"omega.6"};
+  DoubleStateFile device_;
   std::string scene_;
   std::optional<StartedProgram> program_;
 };
@@ -169,6 +172,34 @@ TEST_F(PressingDevice, APoseThatIsNoneOrJumpsNeverThrowsAForce) {
   expect_bounded("jump of 0.2 m", begin);
   EXPECT_FALSE(program_->has_ended());
 }
+
+// A SPIDAR-G6 on a library as its owner would write it, whose board has no watchdog and lets a second process open it
+// once the first is dead.
+class PressingSpidar : public PressingDevice {
+ protected:
+  PressingSpidar()
+      : PressingDevice("x3r",
+                       std::string("spidar-g6:x3r,hold=0,transport=") + TEGOTAE_DOUBLES + "/spidar/libmyboard.so",
+                       [](DoubleState& state) {
+                         state.max_force = 100.0;
+                         state.max_torque = 10.0;
+                       }) {}
+};
+
+class EndedPressingSpidar : public PressingSpidar, public ::testing::WithParamInterface<int> {};
+
+TEST_P(EndedPressingSpidar, HasNoCurrentInItsMotorsWhateverSignalEndsTheProgram) {
+  ASSERT_TRUE(press()) << program_->output();
+  const std::int64_t begin = now();
+  program_->kill(GetParam());
+  EXPECT_TRUE(comes([&] { return force() == 0.0; })) << program_->output();
+  program_->wait();
+  expect_bounded(strsignal(GetParam()), begin);  // NOLINT(concurrency-mt-unsafe)
+  for (const auto& tension : device_->tensions) EXPECT_EQ(tension, 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, EndedPressingSpidar, ::testing::Values(SIGTERM, SIGKILL),
+                         [](const auto& test) { return std::string(sigabbrev_np(test.param)); });
 
 }  // namespace
 }  // namespace tegotae

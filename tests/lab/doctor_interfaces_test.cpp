@@ -100,6 +100,11 @@ TEST(DoctorInterfaces, ANodeThatIsNotThereMayNotBeUsed) {
 InterfacePresence present() { return {"/opt/lib/libA.so", {"libA.so"}, {"omega.7: a:0"}, ""}; }
 InterfacePresence absent() { return {"", {"libB.so", "libB.so.3"}, {}, "install B."}; }
 
+InterfacePresence present_with(std::string_view options) {
+  if (options != "7") throw InterfaceError("c: only 7 is there.");
+  return present();
+}
+
 constexpr InterfaceDriver kPresent{"a", "", "", "", present, nullptr, nullptr};
 constexpr InterfaceDriver kAbsent{"b", "", "", "", absent, nullptr, nullptr};
 constexpr std::array<const InterfaceDriver*, 2> kDrivers = {&kPresent, &kAbsent};
@@ -158,6 +163,18 @@ TEST(DoctorInterfaces, PlaybackNeedsAFileThatPlays) {
       },
       testing::ThrowsMessage<InputError>(
           testing::AllOf(HasSubstr("there are: page, force-dimension"), HasSubstr("playback"))));
+}
+
+TEST(DoctorInterfaces, OptionsAreAskedForWhereTheyMatter) {
+  InterfaceDriver asking = {"c", "", "", "", absent, nullptr, nullptr};
+  asking.find_with = present_with;
+  const std::array<const InterfaceDriver*, 2> drivers = {&asking, &kAbsent};
+  EXPECT_EQ(driver_findings(drivers, "c", "7")[0].verdict, Verdict::kOk);
+  const Finding refused = driver_findings(drivers, "c", "8")[0];
+  EXPECT_EQ(refused.verdict, Verdict::kNotPossible);
+  EXPECT_EQ(refused.mend, "c: only 7 is there.");
+  EXPECT_EQ(driver_findings(drivers, "c")[0].mend, "install B.");
+  EXPECT_EQ(driver_findings(drivers, "b", "7")[0].verdict, Verdict::kCouldBeBetter) << "not its options";
 }
 
 }  // namespace

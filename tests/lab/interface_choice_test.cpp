@@ -67,8 +67,8 @@ TEST(InterfaceChoice, WhatIsNotThereIsAnsweredWithASentence) {
               ThrowsMessage<InputError>(AllOf(HasSubstr("'simulated:falcon'"), HasSubstr("simulated:parallel"),
                                               HasSubstr("spidar-g6:PRESET,simulated"), HasSubstr("x4r"))));
   EXPECT_THAT(refusal("falcon"), ThrowsMessage<InputError>(HasSubstr("no simulated interface 'falcon'")));
-  EXPECT_THAT(refusal("spidar-g6:x3r"),
-              ThrowsMessage<InputError>(AllOf(HasSubstr("spidar-g6:x3r: no transport"), HasSubstr("SpidarTransport"))));
+  EXPECT_THAT(refusal("spidar-g6:x3r"), ThrowsMessage<InputError>(AllOf(HasSubstr("'spidar-g6:x3r' is not simulated"),
+                                                                        HasSubstr("give spidar-g6:x3r,simulated."))));
   EXPECT_THAT(refusal("spidar-g6:x9,simulated"),
               ThrowsMessage<InputError>(AllOf(HasSubstr("'x9' is neither"), HasSubstr("x3r"), Not(HasSubstr("x3f")))));
   EXPECT_THAT(refusal("spidar-g6:x3f,simulated"), ThrowsMessage<InputError>(HasSubstr("x3f")));

@@ -119,7 +119,7 @@ TEST(ProgramInterface, WhatCannotBeIsAnsweredWithASentence) {
   const auto on = [](const std::string& interface) {
     return std::vector<std::string>{"experiment", "paper-cube", "--interface", interface};
   };
-  expect_refusal(on("spidar-g6:x3r"), 2, "no transport to a SPIDAR's board");
+  expect_refusal(on("spidar-g6:x3r"), 2, "give spidar-g6:x3r,simulated");
   expect_refusal(on("spidar-g6:x3f,simulated"), 2, "x3f");
   expect_refusal(on("spidar-g6:none,simulated"), 2, "neither a SPIDAR that has a name");
   expect_refusal(on("simulated:none"), 2, "there are: simulated:laboratory");
@@ -154,6 +154,17 @@ TEST(ProgramInterface, DrawsTheWorkspaceOfASpidar) {
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "workspace-position.png"));
   expect_refusal({"interfaces", "virtuose", "--workspace"}, 2, "not 'virtuose'");
   expect_refusal({"interfaces", "spidar-g6:x9", "--workspace"}, 1, "'x9' is neither");
+}
+
+TEST(ProgramInterface, ListsASpidarOnItsOwnersTransport) {
+  const std::string library = std::string(TEGOTAE_DOUBLES) + "/spidar/libmyboard.so";
+  const ProgramResult result = run_program({"interfaces", "spidar-g6:x3r,transport=" + library});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("library: " + library));
+  EXPECT_THAT(result.out, HasSubstr("after a crash: the board's own watchdog must")) << "as its library says";
+  EXPECT_THAT(run_program({"interfaces", "spidar-g6:x3r"}).out, HasSubstr("transport=/path/libmyboard.so"));
+  expect_refusal({"serve", "--interface", "spidar-g6:x3r,transport=/none.so"}, 1,
+                 "was not found (looked for /none.so)");
 }
 
 }  // namespace
