@@ -14,10 +14,15 @@ namespace {
 
 constexpr double kPatience = 10.0;  // s that a device may be held after the death of who used it
 
+GuardEnd guard_until_the_end(const InterfaceDriver& driver, const std::string& options) {
+  const HeartbeatMemory heart(kGuardHeartbeat);
+  const GuardedProcess guarded{STDIN_FILENO, getppid(), &*heart, rescue_of(driver, options).time, kPatience};
+  return guard_interface(driver, options, guarded);
+}
+
 void guard(const std::string& interface) {
   const InterfaceName name = parse_interface_name(interface);
-  const InterfaceDriver& driver = find_interface_driver(name.driver);
-  switch (guard_interface(driver, name.options, STDIN_FILENO, kPatience)) {
+  switch (guard_until_the_end(find_interface_driver(name.driver), name.options)) {
     case GuardEnd::kFarewell:
       return;
     case GuardEnd::kSilenced:
@@ -36,7 +41,7 @@ void add_guard_command(CLI::App& program) {
   CLI::App* const command =
       program.add_subcommand("guard",
                              "Bring an interface to zero where the program at the other end of standard input "
-                             "dies; the program starts this itself.");
+                             "dies or stands still; the program starts this itself.");
   command->group("");  // not listed
   command->add_option("INTERFACE", *interface)->required();
   command->callback([interface] { guard(*interface); });

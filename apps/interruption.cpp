@@ -21,6 +21,8 @@ extern "C" void remember_signal(int signal) {
 
 const std::atomic<bool>& interrupted() noexcept { return was_interrupted; }
 
+void interrupt() noexcept { was_interrupted.store(true); }
+
 void listen_for_interruption() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction present {};

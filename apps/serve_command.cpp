@@ -4,9 +4,10 @@
 #include <apps/serving_options.hpp>
 #include <apps/settings_options.hpp>
 #include <apps/validators.hpp>
-#include <tegotae/device/guard_process.hpp>
+#include <tegotae/device/heartbeat.hpp>
 #include <tegotae/device/interface_drivers.hpp>
 #include <tegotae/device/interface_remarks.hpp>
+#include <tegotae/device/kept_guard.hpp>
 #include <tegotae/lab/experiment.hpp>
 #include <tegotae/lab/live_messages.hpp>
 #include <tegotae/lab/live_session.hpp>
@@ -66,11 +67,14 @@ void log(NoticeLevel level, const std::string& text) {
   fmt::print(stderr, "tegotae: {}: {}\n", level == NoticeLevel::kWarning ? "warning" : "error", text);
 }
 
-// What the hand holds, and the process that brings it to zero where this one dies. The guard comes first: it holds
-// nothing that is opened later.
+// What the hand holds, and the process that brings it to zero where this one dies or stands still.
 struct HeldInterface {
-  std::unique_ptr<GuardProcess> guard;
-  std::unique_ptr<HapticInterface> device;  ///< null: a simulated one, which the page guides
+  std::unique_ptr<HeartbeatMemory> heart;
+  std::unique_ptr<KeptGuard> guard;
+  std::unique_ptr<HapticInterface> device;    ///< null: a simulated one, which the page guides
+  std::unique_ptr<BeatingInterface> guarded;  ///< the device, where there is a guard
+
+  HapticInterface* in_use() const { return guarded ? static_cast<HapticInterface*>(guarded.get()) : device.get(); }
 };
 
 const InterfaceDriver& driver_called(const std::string& name) {
@@ -97,11 +101,14 @@ HeldInterface hold_interface(const std::string& text) {
   if (rescue.time != RescueTime::kNever) {
     // A core dump would keep the sockets open while it is written, and the device at its last force.
     prctl(PR_SET_DUMPABLE, 0);
-    held.guard = std::make_unique<GuardProcess>("/proc/self/exe", std::vector<std::string>{"guard", text});
+    held.heart = std::make_unique<HeartbeatMemory>();
+    held.guard = std::make_unique<KeptGuard>(GuardProgram{"/proc/self/exe", {"guard", text}, held.heart->descriptor()},
+                                             interrupt);
   }
   fmt::print("tegotae: opening {}; {}.\n", text, driver.before_opening);
   std::fflush(stdout);
   held.device = driver.open(name.options);
+  if (held.heart) held.guarded = std::make_unique<BeatingInterface>(*held.device, **held.heart);
   const InterfaceCapability capability = held.device->capability();
   const std::string limits = std::isfinite(capability.max_force)
                                  ? fmt::format("{:g} N, {:g} N m at most", capability.max_force, capability.max_torque)
@@ -152,7 +159,8 @@ void serve(const ServeOptions& options) {
   tell_safeguards(options.settings.checked());
   ViewerServer server(options.serving.server_options());
   LiveSessionOptions session_wanted = session_options(options);
-  session_wanted.device = held.device.get();
+  session_wanted.device = held.in_use();
+  if (held.guard) session_wanted.news = [&guard = *held.guard] { return guard.take_news(); };
   LiveSession session(std::move(session_wanted), output_to(server), log);
   listen_for_interruption();
   serve_until_stopped(server, session.inbox(), [&] {
@@ -160,6 +168,9 @@ void serve(const ServeOptions& options) {
     session.run(interrupted());
   });
   tell_remarks(held.device.get());
+  if (held.guard && held.guard->has_failed()) {
+    throw InterfaceError("the program ended, and the interface is at zero: no process can be kept that guards it.");
+  }
 }
 
 }  // namespace

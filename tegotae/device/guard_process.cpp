@@ -2,6 +2,7 @@
 #include <tegotae/device/guard_process.hpp>
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -11,8 +12,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <initializer_list>
 #include <thread>
+#include <utility>
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)
 
@@ -21,6 +24,7 @@ namespace {
 
 constexpr char kFarewell = 'f';
 constexpr std::chrono::milliseconds kBetweenTries{5};
+constexpr int kBetweenLooks = 10;  // ms, at the heart
 
 [[noreturn]] void refuse(int error) {
   throw InterfaceError(fmt::format("the process that guards the interface cannot be started: {}.",
@@ -43,16 +47,18 @@ struct SocketPair {
 };
 
 // `end` as standard input, in a session of its own: a signal to the terminal's group ends the guarded process alone.
-pid_t spawn(const std::string& program, std::vector<char*> arguments, int end) {
+pid_t spawn(const GuardProgram& program, std::vector<char*> arguments, int end) {
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
   posix_spawn_file_actions_init(&actions);
   posix_spawnattr_init(&attributes);
   posix_spawn_file_actions_adddup2(&actions, end, STDIN_FILENO);
+  if (program.heartbeat >= 0) posix_spawn_file_actions_adddup2(&actions, program.heartbeat, kGuardHeartbeat);
+  posix_spawn_file_actions_addclosefrom_np(&actions, program.heartbeat >= 0 ? kGuardHeartbeat + 1 : kGuardHeartbeat);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
   arguments.push_back(nullptr);
   pid_t pid = -1;
-  const int error = posix_spawn(&pid, program.c_str(), &actions, &attributes, arguments.data(), environ);
+  const int error = posix_spawn(&pid, program.file.c_str(), &actions, &attributes, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   if (error != 0) refuse(error);
@@ -69,15 +75,79 @@ bool silenced(const InterfaceDriver& driver, const std::string& options, double 
   return true;
 }
 
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// By a signal: not by a debugger, which wants it so.
+bool is_stopped(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string text;
+  std::getline(file, text);
+  const std::size_t name_end = text.rfind(") ");  // a name may hold anything
+  return name_end != std::string::npos && name_end + 2 < text.size() && text[name_end + 2] == 'T';
+}
+
+// Looks at the heart of the guarded process, and helps where it stands still.
+class HeartWatch {
+ public:
+  HeartWatch(const InterfaceDriver& driver, const std::string& options, const GuardedProcess& guarded)
+      : driver_(driver), options_(options), guarded_(guarded) {}
+
+  void look() {
+    if (!standstill_.see(steady_seconds(), *guarded_.heart)) {
+      is_silent_ = is_told_ = false;
+      return;
+    }
+    if (guarded_.rescue == RescueTime::kAnyTime && !is_silent_ && driver_.silence(options_)) {
+      is_silent_ = true;
+      tell("it is at zero.");
+    }
+    if (guarded_.process > 1 && is_stopped(guarded_.process)) {
+      kill(guarded_.process, SIGCONT);
+      tell("the program was stopped, and goes on, to say zero.");
+    }
+    if (!is_silent_) tell("nobody else can open it: if this lasts, switch it off.");
+  }
+
+ private:
+  // What came of it first, in each standstill.
+  void tell(const char* what) {
+    if (std::exchange(is_told_, true)) return;
+    fmt::print(stderr, "tegotae: the haptic thread stands still with a force on {}: {}\n", driver_.name, what);
+  }
+
+  const InterfaceDriver& driver_;
+  const std::string& options_;
+  const GuardedProcess& guarded_;
+  Standstill standstill_;
+  bool is_silent_ = false, is_told_ = false;
+};
+
+// False where it died.
+bool took_leave(int socket) {
+  char word = 0;
+  ssize_t length = 0;
+  do length = read(socket, &word, 1);
+  while (length < 0 && errno == EINTR);
+  return length == 1 && word == kFarewell;
+}
+
+void watch_until_it_ends(const InterfaceDriver& driver, const std::string& options, const GuardedProcess& guarded) {
+  if (guarded.heart == nullptr) return;
+  HeartWatch watch(driver, options, guarded);
+  for (pollfd end{guarded.socket, POLLIN, 0}; poll(&end, 1, kBetweenLooks) <= 0;) watch.look();
+}
+
 }  // namespace
 
-GuardProcess::GuardProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+GuardProcess::GuardProcess(const GuardProgram& program) {
   SocketPair pair;
-  std::vector<std::string> words = {program.string()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> words = {program.file.string()};
+  words.insert(words.end(), program.arguments.begin(), program.arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
-  pid_ = spawn(program.string(), argv, pair.ends[1]);
+  pid_ = spawn(program, argv, pair.ends[1]);
   socket_ = pair.ends[0];
   pair.ends[0] = -1;
 }
@@ -85,17 +155,30 @@ GuardProcess::GuardProcess(const std::filesystem::path& program, const std::vect
 GuardProcess::~GuardProcess() {
   static_cast<void>(send(socket_, &kFarewell, 1, MSG_NOSIGNAL));
   close(socket_);
-  while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) continue;
+  if (!has_ended_) wait(WUNTRACED);
 }
 
-GuardEnd guard_interface(const InterfaceDriver& driver, const std::string& options, int socket, double patience) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) std::signal(signal, SIG_IGN);
-  char word = 0;
-  ssize_t length = 0;
-  do length = read(socket, &word, 1);
-  while (length < 0 && errno == EINTR);
-  if (length == 1 && word == kFarewell) return GuardEnd::kFarewell;
-  return silenced(driver, options, patience) ? GuardEnd::kSilenced : GuardEnd::kFailed;
+bool GuardProcess::has_ended() noexcept { return has_ended_ || wait(WNOHANG | WUNTRACED); }
+
+// For its end, as `options` of waitpid have it. One that was stopped is ended: it would not guard, nor hear a farewell.
+bool GuardProcess::wait(int options) noexcept {
+  int status = 0;
+  pid_t found = 0;
+  do found = waitpid(pid_, &status, options);
+  while (found < 0 && errno == EINTR);
+  if (found == 0) return false;
+  has_ended_ = true;
+  if (found != pid_ || !WIFSTOPPED(status)) return true;
+  kill(pid_, SIGKILL);
+  while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) continue;
+  return true;
+}
+
+GuardEnd guard_interface(const InterfaceDriver& driver, const std::string& options, const GuardedProcess& guarded) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP}) std::signal(signal, SIG_IGN);
+  watch_until_it_ends(driver, options, guarded);
+  if (took_leave(guarded.socket)) return GuardEnd::kFarewell;
+  return silenced(driver, options, guarded.patience) ? GuardEnd::kSilenced : GuardEnd::kFailed;
 }
 
 }  // namespace tegotae

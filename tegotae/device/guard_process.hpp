@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tegotae/device/heartbeat.hpp>
 #include <tegotae/device/interface_driver.hpp>
 
 #include <sys/types.h>
@@ -11,28 +12,43 @@
 
 namespace tegotae {
 
+/// A program that guards, and what it is given.
+struct GuardProgram {
+  std::filesystem::path file;
+  std::vector<std::string> arguments;
+  int heartbeat = -1;  ///< descriptor of a HeartbeatMemory, its descriptor kGuardHeartbeat; negative: none
+};
+
+/// Descriptor at which a guard finds the memory of the heartbeat.
+inline constexpr int kGuardHeartbeat = 3;
+
 /// A small process beside this one that brings an interface to zero if this one dies in the middle of a call (SIGSEGV,
 /// SIGKILL, out of memory): then no call to the maker's library is safe here, but the other process can open the
-/// device anew, command zero and let go of it.
+/// device anew, command zero and let go of it. It also watches for this process standing still (guard_interface).
 ///
-/// It holds one end of a socket and sleeps. A word of farewell ends it; an end without one means that this process is
-/// gone. It does not watch for a process that stands still but lives: what the device does then is its driver's
-/// `after_a_crash`, as it cannot be opened twice.
+/// It holds one end of a socket. A word of farewell ends it; an end without one means that this process is gone. Of
+/// this process' files it holds no other, whenever it is started, so none that a maker's library keeps for itself.
 class GuardProcess {
  public:
-  /// Starts `program` with `arguments`; the socket is its standard input. `program` must end in `guard_interface`.
-  /// Throws InterfaceError where it cannot be started. Allocates.
-  GuardProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+  /// Starts the program; the socket is its standard input. It must end in `guard_interface`. Throws InterfaceError
+  /// where it cannot be started. Allocates.
+  explicit GuardProcess(const GuardProgram& program);
   /// Says farewell and waits for its end.
   ~GuardProcess();
   GuardProcess(const GuardProcess&) = delete;
   GuardProcess& operator=(const GuardProcess&) = delete;
 
+  /// Whether it is gone, or stands still (somebody stopped it: then it is ended), and so guards nothing any more.
+  bool has_ended() noexcept;
+
   pid_t pid() const noexcept { return pid_; }
 
  private:
+  bool wait(int options) noexcept;
+
   int socket_ = -1;
   pid_t pid_ = -1;
+  bool has_ended_ = false;
 };
 
 /// How a guard ended.
@@ -42,9 +58,23 @@ enum class GuardEnd {
   kFailed,    ///< it died, and the interface could not be opened for `patience`
 };
 
-/// What the guard does: waits on `socket` until the guarded process takes leave or dies; in the second case silences
-/// the interface, again and again for `patience` (s), as a device may be held for a moment after the death. Keyboard
-/// signals and hang-ups are for the guarded process and are ignored here.
-GuardEnd guard_interface(const InterfaceDriver& driver, const std::string& options, int socket, double patience);
+/// Who is guarded.
+struct GuardedProcess {
+  int socket = -1;                   ///< to it
+  pid_t process = 0;                 ///< 0: not known
+  const Heartbeat* heart = nullptr;  ///< its haptic thread's; null: it is not watched
+  RescueTime rescue = RescueTime::kAfterDeath;
+  double patience = 10.0;  ///< s for which a device may be held after the death
+};
+
+/// What the guard does: waits until the guarded process takes leave or dies; in the second case silences the interface,
+/// again and again for `patience`, as a device may be held for a moment after the death. Keyboard signals and hang-ups
+/// are for the guarded process and are ignored here.
+///
+/// Where the heart stands still while a force is displayed (Standstill), it silences the interface at once if a second
+/// process may (RescueTime::kAnyTime), and continues a process that was stopped (SIGSTOP, or Ctrl-Z): its own safety
+/// stage then knows that it stood, and says zero. A process that is stuck in a call to a device which nobody else can
+/// open is beyond help: it is told of, once.
+GuardEnd guard_interface(const InterfaceDriver& driver, const std::string& options, const GuardedProcess& guarded);
 
 }  // namespace tegotae

@@ -79,6 +79,7 @@ void LiveSession::wait_for_choice(const std::atomic<bool>& stop) {
   tell(NoticeLevel::kWarning, "no scene runs; reset starts this one anew, or choose another.");
   while (!stop && !next_scene_) {
     take_messages();
+    tell_news();
     std::this_thread::sleep_for(kPause);
   }
 }
@@ -122,6 +123,7 @@ void LiveSession::choose(const LiveScene& scene, const SettingsRequest& wanted) 
 
 void LiveSession::pass() {
   take_messages();
+  tell_news();
   release_silent_hand();
   if (run_->hand_took_over()) settings_changed();
   if (motion_ && !run_->is_playing()) motion_.reset();
@@ -130,6 +132,11 @@ void LiveSession::pass() {
   if (now < next_state_ || !has_ticks_) return;
   next_state_ = std::max(next_state_ + kStatePeriod, now);
   show();
+}
+
+void LiveSession::tell_news() {
+  if (!options_.news) return;
+  for (const std::string& sentence : options_.news()) tell(NoticeLevel::kWarning, sentence);
 }
 
 void LiveSession::take_messages() {

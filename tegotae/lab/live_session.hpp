@@ -29,6 +29,8 @@ struct LiveSessionOptions {
   std::filesystem::path recordings = ".";     ///< folder of the recordings that a page starts
   std::optional<std::filesystem::path> file;  ///< a recording from the beginning
   HapticInterface* device = nullptr;  ///< what the hand holds, outlives the session; null: simulated, guided by a page
+  /// Warnings about what the hand holds that came since it was asked last; asked often, from the session's thread.
+  std::function<std::vector<std::string>()> news;
 };
 
 /// A scene in real time for the pages that look at it: it makes what they ask for, and shows them what came of it. Runs
@@ -65,6 +67,7 @@ class LiveSession {
 
   // Called while a scene runs.
   void pass();
+  void tell_news();
   void take_messages();
   void handle(const LiveInbox::Event& event);
   void obey(ViewerId viewer, const ViewerCommand& command);

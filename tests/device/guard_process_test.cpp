@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/guard_process.hpp>
 
+#include <tests/device/waiting.hpp>
+
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/socket.h>
@@ -8,6 +10,11 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <thread>
 
@@ -24,13 +31,26 @@ InterfaceDriver driver() {
   return made;
 }
 
+struct GuardsFile {
+  GuardsFile() { close(mkstemp(path.data())); }
+  GuardsFile(const GuardsFile&) = delete;
+  GuardsFile& operator=(const GuardsFile&) = delete;
+  ~GuardsFile() { unlink(path.c_str()); }
+  std::string text() const {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  std::string path = (std::filesystem::temp_directory_path() / "tegotae-guard-XXXXXX").string();
+};
+
 // The guard on a thread of its own, at one end of a socket.
 struct Guard {
-  explicit Guard(int needed, double patience = 60.0) {
+  explicit Guard(int needed, double patience = 60.0, RescueTime rescue = RescueTime::kAfterDeath, pid_t process = 0) {
     tries = 0;
     tries_needed = needed;
     EXPECT_EQ(socketpair(AF_UNIX, SOCK_STREAM, 0, ends), 0);
-    thread = std::thread([this, patience] { end = guard_interface(driver(), "7", ends[1], patience); });
+    const GuardedProcess guarded{ends[1], process, &heart, rescue, patience};
+    thread = std::thread([this, guarded] { end = guard_interface(driver(), "7", guarded); });
   }
   Guard(const Guard&) = delete;
   Guard& operator=(const Guard&) = delete;
@@ -44,6 +64,7 @@ struct Guard {
     return end;
   }
 
+  Heartbeat heart;
   int ends[2] = {-1, -1};
   GuardEnd end = GuardEnd::kFailed;
   std::thread thread;
@@ -83,8 +104,9 @@ TEST(GuardProcess, SaysWhereItCouldNot) {
 TEST(GuardProcess, IsStartedWithTheSocketAsInputAndEndsWithItsOwner) {
   pid_t pid = 0;
   {
-    const GuardProcess guard("/bin/sh", {"-c", "cat >/dev/null"});
+    GuardProcess guard({"/bin/sh", {"-c", "cat >/dev/null"}});
     pid = guard.pid();
+    EXPECT_FALSE(guard.has_ended());
     EXPECT_EQ(kill(pid, 0), 0);
     EXPECT_EQ(getsid(pid), pid) << "signals of the terminal are not for it";
   }
@@ -92,7 +114,66 @@ TEST(GuardProcess, IsStartedWithTheSocketAsInputAndEndsWithItsOwner) {
 }
 
 TEST(GuardProcess, AProgramThatIsNotThereIsRefused) {
-  EXPECT_THROW(GuardProcess("/no/such/program", {}), InterfaceError);
+  EXPECT_THROW(GuardProcess({"/no/such/program", {}}), InterfaceError);
+}
+
+TEST(GuardProcess, HoldsNoFileOfItsOwnersButSocketAndHeartbeat) {
+  const HeartbeatMemory heart;
+  const int leaking = dup(STDOUT_FILENO);  // as a maker's library may keep one, without the flag that closes it
+  ASSERT_GT(leaking, kGuardHeartbeat);
+  const GuardsFile seen;
+  GuardProcess guard({"/bin/sh", {"-c", "ls /proc/$$/fd > " + seen.path + "; cat >/dev/null"}, heart.descriptor()});
+  ASSERT_TRUE(test::comes_true([&] { return std::filesystem::file_size(seen.path) > 0; }));
+  const std::string list = seen.text();
+  EXPECT_NE(list.find("\n3\n"), std::string::npos) << list;
+  EXPECT_EQ(list.find("\n" + std::to_string(leaking) + "\n"), std::string::npos) << list;
+  close(leaking);
+}
+
+TEST(GuardProcess, NoticesOneThatWasEndedOrStopped) {
+  for (const int signal : {SIGKILL, SIGSTOP}) {
+    GuardProcess guard({"/bin/sh", {"-c", "cat >/dev/null"}});
+    kill(guard.pid(), signal);
+    EXPECT_TRUE(test::comes_true([&] { return guard.has_ended(); })) << signal;
+    EXPECT_EQ(kill(guard.pid(), 0), -1) << "it is gone";
+  }
+}
+
+// While the guarded process lives: nobody beats and a force is displayed.
+TEST(GuardProcess, AHeartThatStandsIsSilencedWhereTwoMayOpenTheDevice) {
+  Guard guard(1, 60.0, RescueTime::kAnyTime);
+  guard.heart.displays = true;
+  EXPECT_TRUE(test::comes_true([] { return tries == 1; }));
+  EXPECT_EQ(write(guard.ends[0], "f", 1), 1);
+  EXPECT_EQ(guard.after_close(), GuardEnd::kFarewell);
+  EXPECT_EQ(tries, 1) << "once a standstill";
+}
+
+TEST(GuardProcess, AHeartThatStandsAtZeroIsLeftAlone) {
+  Guard guard(1, 60.0, RescueTime::kAnyTime);
+  std::this_thread::sleep_for(std::chrono::duration<double>(3.0 * Standstill::kLongest));
+  EXPECT_EQ(write(guard.ends[0], "f", 1), 1);
+  EXPECT_EQ(guard.after_close(), GuardEnd::kFarewell);
+  EXPECT_EQ(tries, 0);
+}
+
+// Nobody else can open its device: it must say zero itself.
+TEST(GuardProcess, AProcessThatWasStoppedWithAForceGoesOn) {
+  GuardProcess stopped({"/bin/sh", {"-c", "cat >/dev/null"}});
+  Guard guard(1, 60.0, RescueTime::kAfterDeath, stopped.pid());
+  const auto is_stopped = [&] {
+    std::ifstream file("/proc/" + std::to_string(stopped.pid()) + "/stat");
+    std::string text;
+    std::getline(file, text);
+    return text.find(") T ") != std::string::npos;
+  };
+  kill(stopped.pid(), SIGSTOP);
+  ASSERT_TRUE(test::comes_true(is_stopped));
+  guard.heart.displays = true;
+  EXPECT_TRUE(test::comes_true([&] { return !is_stopped(); }));
+  EXPECT_EQ(write(guard.ends[0], "f", 1), 1);
+  EXPECT_EQ(guard.after_close(), GuardEnd::kFarewell);
+  EXPECT_EQ(tries, 0);
 }
 
 }  // namespace

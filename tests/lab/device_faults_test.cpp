@@ -9,6 +9,8 @@
 #include <csignal>
 #include <cstdint>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <optional>
 #include <string>
@@ -173,8 +175,72 @@ TEST_F(PressingDevice, APoseThatIsNoneOrJumpsNeverThrowsAForce) {
   EXPECT_FALSE(program_->has_ended());
 }
 
-// A SPIDAR-G6 on a library as its owner would write it, whose board has no watchdog and lets a second process open it
-// once the first is dead.
+// The child of `parent` that guards its interface, other than `known`; 0: none.
+pid_t guard_of(pid_t parent, pid_t known = 0) {
+  const std::string guard_word("\0guard\0", 7);
+  for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = process.path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    std::ifstream stat(process.path() / "stat"), words(process.path() / "cmdline");
+    std::string of_process, command;
+    std::getline(stat, of_process);
+    std::getline(words, command);
+    const std::size_t end = of_process.rfind(") ");
+    if (end == std::string::npos || of_process[end + 2] == 'Z') continue;
+    const bool is_child = std::stoi(of_process.substr(end + 4)) == parent;
+    if (is_child && std::stoi(name) != known && command.find(guard_word) != std::string::npos) {
+      return std::stoi(name);
+    }
+  }
+  return 0;
+}
+
+TEST_F(PressingDevice, AGuardThatWasEndedIsReplacedSoThatACrashEndsAtZeroAllTheSame) {
+  ASSERT_TRUE(press()) << program_->output();
+  const pid_t first = guard_of(program_->pid());
+  ASSERT_GT(first, 0);
+  ::kill(first, SIGKILL);
+  ASSERT_TRUE(comes([&] { return guard_of(program_->pid(), first) > 0; }));
+  EXPECT_TRUE(comes([&] {
+    return program_->output().find(
+               "warning: the process that guards the interface was ended by somebody; another was "
+               "started") != std::string::npos;
+  })) << program_->output();
+  // On a busy machine a tick may come late, which ends the press.
+  ASSERT_TRUE(force() > 2.0 || let_go_and_press_again()) << "what is felt goes on";
+  const std::int64_t begin = now();
+  program_->kill(SIGKILL);
+  EXPECT_TRUE(comes([&] { return force() == 0.0; })) << program_->output();
+  expect_bounded("guard, then all", begin);
+}
+
+TEST_F(PressingDevice, WhereNoGuardCanBeKeptTheProgramEndsAtZero) {
+  ASSERT_TRUE(press()) << program_->output();
+  const std::int64_t begin = now();
+  pid_t last = 0;
+  ASSERT_TRUE(comes([&] {
+    const pid_t guard = guard_of(program_->pid(), last);
+    if (guard > 0) ::kill(last = guard, SIGKILL);
+    return program_->has_ended();
+  })) << program_->output();
+  EXPECT_EQ(program_->wait(), 1);
+  EXPECT_EQ(force(), 0.0);
+  EXPECT_NE(program_->output().find("no other can be kept"), std::string::npos) << program_->output();
+  expect_bounded("no guard", begin);
+}
+
+// By SIGSTOP, as by Ctrl-Z: nobody else can open the device, so it must go on to say zero.
+TEST_F(PressingDevice, AProgramThatIsStoppedWithAForceGoesOnAndSaysZero) {
+  ASSERT_TRUE(press()) << program_->output();
+  const std::int64_t begin = now();
+  program_->kill(SIGSTOP);
+  EXPECT_TRUE(comes([&] { return force() == 0.0; })) << program_->output();
+  expect_bounded("stopped", begin);
+  EXPECT_FALSE(program_->has_ended());
+  EXPECT_TRUE(let_go_and_press_again()) << program_->output();
+}
+
+// A SPIDAR-G6 on a library as its owner would write it, whose board has no watchdog and takes packets of two processes.
 class PressingSpidar : public PressingDevice {
  protected:
   PressingSpidar()
@@ -183,6 +249,8 @@ class PressingSpidar : public PressingDevice {
                        [](DoubleState& state) {
                          state.max_force = 100.0;
                          state.max_torque = 10.0;
+                         state.sharing = 2;  // TEGOTAE_SPIDAR_ANY_TIME
+                         state.shared = true;
                        }) {}
 };
 
@@ -200,6 +268,19 @@ TEST_P(EndedPressingSpidar, HasNoCurrentInItsMotorsWhateverSignalEndsTheProgram)
 
 INSTANTIATE_TEST_SUITE_P(Signals, EndedPressingSpidar, ::testing::Values(SIGTERM, SIGKILL),
                          [](const auto& test) { return std::string(sigabbrev_np(test.param)); });
+
+// In a call of the library that does not return, for longer than this test waits.
+TEST_F(PressingSpidar, IsStoppedByTheGuardWhereTheProgramIsStuckInACall) {
+  ASSERT_TRUE(press()) << program_->output();
+  EXPECT_EQ(device_->opens, 1U);
+  const std::int64_t begin = now();
+  device_->stall = 600'000;  // ms
+  EXPECT_TRUE(comes([&] { return device_->stall == 0 && device_->opens == 2 && force() == 0.0; }))
+      << program_->output();
+  for (const auto& tension : device_->tensions) EXPECT_EQ(tension, 0.0);
+  EXPECT_FALSE(program_->has_ended());
+  expect_bounded("stuck in a call", begin);
+}
 
 }  // namespace
 }  // namespace tegotae

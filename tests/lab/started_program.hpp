@@ -47,6 +47,7 @@ class StartedProgram {
     wait();
   }
 
+  pid_t pid() const { return pid_; }
   void kill(int signal) const { ::kill(pid_, signal); }
 
   bool has_ended() {
