@@ -32,10 +32,12 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using Calibrate = OpenHapticsDevice::Calibrate;
 
-std::unique_ptr<HapticInterface> open(std::string_view options = "") { return openhaptics_driver().open(options); }
+std::unique_ptr<HapticInterface> open_stylus(std::string_view options = "") {
+  return openhaptics_driver().open(options);
+}
 
 std::string refused(std::string_view options = "") {
-  return refusal([options] { static_cast<void>(open(options)); });
+  return refusal([options] { static_cast<void>(open_stylus(options)); });
 }
 
 // A Touch: six degrees in, three out.
@@ -85,7 +87,7 @@ TEST_F(OpenHapticsTest, IsFoundThroughItsLibraryWithoutForce) {
 }
 
 TEST_F(OpenHapticsTest, TellsWhatADeviceOfThreeDegreesCanDo) {
-  const auto interface = open();
+  const auto interface = open_stylus();
   const InterfaceCapability capability = interface->capability();
   EXPECT_EQ(capability.name, "Touch");
   EXPECT_EQ(capability.input_degrees_of_freedom, 6);
@@ -102,23 +104,23 @@ TEST_F(OpenHapticsTest, TellsWhatADeviceOfSixDegreesCanDo) {
   state->degrees = 6;
   state->max_force = 8.5;
   state->nominal_stiffness = 800.0;
-  EXPECT_NEAR(open()->capability().max_torque, 0.2, 1e-12);
-  const InterfaceCapability capability = open()->capability();
+  EXPECT_NEAR(open_stylus()->capability().max_torque, 0.2, 1e-12);
+  const InterfaceCapability capability = open_stylus()->capability();
   EXPECT_NEAR(capability.max_stiffness, 800.0, 1e-9);
   EXPECT_NEAR(capability.max_rotational_stiffness, 2.0, 1e-9);
   EXPECT_NEAR(capability.max_damping, 8.0, 1e-9);
   EXPECT_NEAR(capability.max_rotational_damping, 0.02, 1e-9);
   state->max_torque = 2e3;
   state->nominal_stiffness = 4e5;
-  EXPECT_EQ(open()->capability().max_torque, 0.188) << "in another unit, it seems: not believed";
-  EXPECT_EQ(open()->capability().max_stiffness, 400.0);
+  EXPECT_EQ(open_stylus()->capability().max_torque, 0.188) << "in another unit, it seems: not believed";
+  EXPECT_EQ(open_stylus()->capability().max_stiffness, 400.0);
   state->oddity = HdOddity::kNoCartesianTorque;
-  EXPECT_EQ(open()->capability().max_torque, 0.0);
-  EXPECT_EQ(open()->capability().output_degrees_of_freedom, 3);
+  EXPECT_EQ(open_stylus()->capability().max_torque, 0.0);
+  EXPECT_EQ(open_stylus()->capability().output_degrees_of_freedom, 3);
 }
 
 TEST_F(OpenHapticsTest, ReadsAndCommands) {
-  const auto interface = open();
+  const auto interface = open_stylus();
   InterfaceState read;
   EXPECT_EQ(interface->read(12.5, read), InterfaceStatus::kOk);
   EXPECT_LT(read.time, 12.5) << "a callback read it before";
@@ -135,13 +137,13 @@ TEST_F(OpenHapticsTest, ReadsAndCommands) {
 }
 
 TEST_F(OpenHapticsTest, AnotherAxisOfTheDeviceCanPointUp) {
-  const auto interface = open("axes=xyz");
+  const auto interface = open_stylus("axes=xyz");
   EXPECT_TRUE(ticks_until(*interface, 1.5, [&] { return state.displayed().force.x() == 1.5; }));
 }
 
 TEST_F(OpenHapticsTest, LeavesAtZero) {
   {
-    const auto interface = open();
+    const auto interface = open_stylus();
     ASSERT_TRUE(ticks_until(*interface, 2.0, [&] { return displayed() == 2.0; }));
   }
   EXPECT_EQ(displayed(), 0.0);
@@ -151,7 +153,7 @@ TEST_F(OpenHapticsTest, LeavesAtZero) {
 }
 
 TEST_F(OpenHapticsTest, ALoopThatStandsStillIsTakenItsForce) {
-  const auto interface = open();
+  const auto interface = open_stylus();
   ASSERT_TRUE(ticks_until(*interface, 2.0, [&] { return displayed() == 2.0; }));
   ASSERT_TRUE(comes_true([&] { return displayed() == 0.0; }));
   InterfaceState read;
@@ -167,7 +169,7 @@ TEST_F(OpenHapticsTest, ALoopThatStandsStillIsTakenItsForce) {
 }
 
 TEST_F(OpenHapticsTest, IsOpenedAgainWhenItIsBackOnItsCable) {
-  const auto interface = open();
+  const auto interface = open_stylus();
   ASSERT_TRUE(ticks_until(*interface, 2.0, [&] { return displayed() == 2.0; }));
   for (std::uint64_t times = 1; times <= 2; ++times) {
     state.unplug();
@@ -184,7 +186,7 @@ TEST_F(OpenHapticsTest, IsOpenedAgainWhenItIsBackOnItsCable) {
 }
 
 TEST_F(OpenHapticsTest, GoesOnWhereACallFailsNowAndThen) {
-  const auto interface = open();
+  const auto interface = open_stylus();
   state->fail_every = 7;
   const std::uint64_t failed = state->failed_calls;
   ASSERT_TRUE(ticks_until(*interface, 1.0, [&] { return state->failed_calls > failed + 50; }));
@@ -193,7 +195,7 @@ TEST_F(OpenHapticsTest, GoesOnWhereACallFailsNowAndThen) {
 }
 
 TEST_F(OpenHapticsTest, GivenUpItIsClosedAtZero) {
-  const auto interface = open();
+  const auto interface = open_stylus();
   ASSERT_TRUE(ticks_until(*interface, 2.0, [&] { return displayed() == 2.0; }));
   state->fail_every = 1;  // zero does not reach it by a command either
   ASSERT_TRUE(ticks_until(*interface, 2.0, [&] { return displayed() == 0.0; }));
@@ -202,7 +204,7 @@ TEST_F(OpenHapticsTest, GivenUpItIsClosedAtZero) {
 }
 
 TEST_F(OpenHapticsTest, ASchedulerThatStallsIsLostAndComesBack) {
-  const auto interface = open();
+  const auto interface = open_stylus();
   ASSERT_TRUE(comes_true([&] { return is_ok(*interface); }));
   state->stall = 400;  // ms
   ASSERT_TRUE(ticks_until(*interface, 1.0, [&] { return tick(*interface, 1.0) != InterfaceStatus::kOk; }));
@@ -226,7 +228,7 @@ TEST_F(OpenHapticsTest, APoseGrowsOldWhileNoCallbackComes) {
 }
 
 TEST_F(OpenHapticsTest, APoseThatIsNoneIsLostUntilItIsBack) {
-  const auto interface = open();
+  const auto interface = open_stylus();
   state->nan_pose = true;
   ASSERT_TRUE(comes_true([&] { return !is_ok(*interface); }));
   state->nan_pose = false;
@@ -236,7 +238,7 @@ TEST_F(OpenHapticsTest, APoseThatIsNoneIsLostUntilItIsBack) {
 
 TEST_F(OpenHapticsTest, CalibratesWhereItsStylusIsInItsInkwell) {
   state->uncalibrated = true;
-  const auto interface = open();
+  const auto interface = open_stylus();
   EXPECT_EQ(state->calibrations, 1U);
   EXPECT_TRUE(is_ok(*interface));
 }
@@ -276,7 +278,7 @@ TEST_F(OpenHapticsTest, OneNameAtATime) {
   EXPECT_THAT(refused("Omni 7"), HasSubstr("the device 'Omni 7' does not answer"));
   EXPECT_THAT(refused("rate=5"), HasSubstr("openhaptics"));
   EXPECT_THAT(refused("axes=xxz"), HasSubstr("right-handed"));
-  const auto interface = open("Touch");
+  const auto interface = open_stylus("Touch");
   EXPECT_THAT(refused(), HasSubstr("has a device open already"));
   EXPECT_TRUE(comes_true([&] { return is_ok(*interface); })) << "which goes on";
 }
@@ -295,7 +297,7 @@ TEST_F(OpenHapticsTest, BringsToZeroWhatADeadProcessLeft) {
 }
 
 TEST_F(OpenHapticsTest, ReadingAndWritingNeitherAllocateNorLock) {
-  const auto interface = open();
+  const auto interface = open_stylus();
   const test::AllocationCounter allocations;
   const test::LockCounter locks;
   for (int i = 0; i < 100; ++i) tick(*interface, 1.0);
