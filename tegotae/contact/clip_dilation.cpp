@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/contact/clip_dilation.hpp>
+
 #include <tegotae/contact/tolerances.hpp>
 
 #include <algorithm>

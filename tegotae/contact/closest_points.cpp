@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/contact/closest_points.hpp>
+
 #include <tegotae/contact/closest_points_plane.hpp>
 #include <tegotae/contact/gjk.hpp>
 #include <tegotae/contact/gjk_warm_start.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/contact/interior_point.hpp>
+
 #include <tegotae/contact/intersection_frame.hpp>
 #include <tegotae/contact/tolerances.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/contact/gjk_warm_start.hpp>
 #include <tegotae/contact/penetration_descent.hpp>
+
+#include <tegotae/contact/gjk_warm_start.hpp>
 #include <tegotae/contact/tolerances.hpp>
 
 #include <algorithm>

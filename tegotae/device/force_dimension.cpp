@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/force_dimension.hpp>
+
 #include <tegotae/device/force_dimension_device.hpp>
 #include <tegotae/device/reconnecting_interface.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/device/assumed_ratings.hpp>
 #include <tegotae/device/force_dimension_device.hpp>
+
+#include <tegotae/device/assumed_ratings.hpp>
 #include <tegotae/device/interface_driver.hpp>
 #include <tegotae/device/interface_options.hpp>
 #include <tegotae/device/tolerances.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/guided_motion.hpp>
+
 #include <tegotae/math/rotation.hpp>
 #include <tegotae/runtime/vector_limits.hpp>
 

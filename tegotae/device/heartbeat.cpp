@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/heartbeat.hpp>
+
 #include <tegotae/device/interface_driver.hpp>
 
 #include <sys/mman.h>

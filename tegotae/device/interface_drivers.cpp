@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/device/force_dimension.hpp>
 #include <tegotae/device/interface_drivers.hpp>
+
+#include <tegotae/device/force_dimension.hpp>
 #include <tegotae/device/openhaptics.hpp>
 #include <tegotae/device/spacenav.hpp>
 #include <tegotae/device/spidar_driver.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/openhaptics.hpp>
+
 #include <tegotae/device/openhaptics_device.hpp>
 #include <tegotae/device/reconnecting_interface.hpp>
 

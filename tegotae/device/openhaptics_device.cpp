@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/openhaptics_device.hpp>
+
 #include <tegotae/device/assumed_ratings.hpp>
 #include <tegotae/device/interface_driver.hpp>
 #include <tegotae/device/interface_options.hpp>
-#include <tegotae/device/openhaptics_device.hpp>
 #include <tegotae/runtime/periodic_timer.hpp>
 
 #include <fmt/format.h>

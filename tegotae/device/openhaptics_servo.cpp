@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/openhaptics_servo.hpp>
+
 #include <tegotae/device/tolerances.hpp>
 #include <tegotae/runtime/periodic_timer.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/device/reconnecting_interface.hpp>
 #include <tegotae/device/spacenav.hpp>
+
+#include <tegotae/device/reconnecting_interface.hpp>
 #include <tegotae/device/spacenav_device.hpp>
 
 #include <memory>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/spacenav_device.hpp>
+
 #include <tegotae/device/interface_driver.hpp>
 #include <tegotae/device/interface_options.hpp>
-#include <tegotae/device/spacenav_device.hpp>
 
 #include <poll.h>
 #include <sys/socket.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/device/interface_driver.hpp>
 #include <tegotae/device/spidar_board.hpp>
+
+#include <tegotae/device/interface_driver.hpp>
 
 #include <algorithm>
 #include <cmath>

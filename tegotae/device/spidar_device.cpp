@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/spidar_device.hpp>
+
 #include <tegotae/device/assumed_ratings.hpp>
 #include <tegotae/device/interface_driver.hpp>
 #include <tegotae/device/interface_options.hpp>
-#include <tegotae/device/spidar_device.hpp>
 #include <tegotae/device/spidar_file.hpp>
 #include <tegotae/device/spidar_reach.hpp>
 

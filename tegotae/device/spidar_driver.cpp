@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/device/spidar_driver.hpp>
+
 #include <tegotae/device/reconnecting_interface.hpp>
 #include <tegotae/device/spidar_device.hpp>
-#include <tegotae/device/spidar_driver.hpp>
 
 #include <fmt/format.h>
 

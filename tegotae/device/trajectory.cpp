@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/trajectory.hpp>
+
 #include <tegotae/math/rotation.hpp>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/device/interface_driver.hpp>
 #include <tegotae/device/vendor_library.hpp>
+
+#include <tegotae/device/interface_driver.hpp>
 
 #include <dlfcn.h>
 #include <link.h>

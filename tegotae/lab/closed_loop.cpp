@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/closed_loop.hpp>
+
 #include <tegotae/lab/static_world.hpp>
 
 #include <memory>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/device/playback_interface.hpp>
 #include <tegotae/lab/compared_experiment.hpp>
+
+#include <tegotae/device/playback_interface.hpp>
 #include <tegotae/lab/comparison_figure.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/scene_file.hpp>

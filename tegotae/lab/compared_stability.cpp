@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/device/simulated_presets.hpp>
 #include <tegotae/lab/compared_stability.hpp>
+
+#include <tegotae/device/simulated_presets.hpp>
 
 namespace tegotae {
 namespace {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/comparison.hpp>
+
 #include <tegotae/lab/compared_experiment.hpp>
 #include <tegotae/lab/compared_stability.hpp>
-#include <tegotae/lab/comparison.hpp>
 #include <tegotae/lab/works.hpp>
 
 #include <memory>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/comparison_figure.hpp>
+
 #include <tegotae/lab/quantities.hpp>
 #include <tegotae/lab/tolerances.hpp>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/contact_experiment.hpp>
+
 #include <tegotae/lab/quantities.hpp>
 
 #include <fmt/format.h>

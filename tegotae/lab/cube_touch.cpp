@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/cube_touch.hpp>
+
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/math/rotation.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/doctor_interfaces.hpp>
+
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/playback_driver.hpp>
 #include <tegotae/lab/trajectory_file.hpp>

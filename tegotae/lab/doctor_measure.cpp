@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/doctor_measure.hpp>
+
 #include <tegotae/lab/scene_file.hpp>
 #include <tegotae/lab/scripted_motion.hpp>
 #include <tegotae/lab/session.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/doctor_system.hpp>
+
 #include <tegotae/runtime/realtime_thread.hpp>
 
 #include <fmt/format.h>

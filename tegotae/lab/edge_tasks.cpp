@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/edge_tasks.hpp>
+
 #include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/contact_experiment.hpp>
-#include <tegotae/lab/edge_tasks.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/offline_reference.hpp>
 #include <tegotae/lab/smooth_path.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/lab/edge_tasks.hpp>
 #include <tegotae/lab/experiment.hpp>
+
+#include <tegotae/lab/edge_tasks.hpp>
 #include <tegotae/lab/friction_tasks.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/paper_cube.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/lab/closed_loop_figures.hpp>
 #include <tegotae/lab/experiment_run.hpp>
+
+#include <tegotae/lab/closed_loop_figures.hpp>
 #include <tegotae/lab/gnuplot.hpp>
 #include <tegotae/lab/physics_rate.hpp>
 #include <tegotae/lab/run_recording.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/figure.hpp>
+
 #include <tegotae/lab/gnuplot.hpp>
 #include <tegotae/lab/text_file.hpp>
 #include <tegotae/lab/thinning.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/frame_maker.hpp>
+
 #include <tegotae/lab/unix_time.hpp>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/free_body_stiffness.hpp>
+
 #include <tegotae/lab/input_error.hpp>
 
 #include <fmt/format.h>

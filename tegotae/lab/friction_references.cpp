@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/friction_references.hpp>
+
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/math/rotation.hpp>
 #include <tegotae/render/tolerances.hpp>

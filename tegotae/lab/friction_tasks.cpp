@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/friction_tasks.hpp>
+
 #include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/contact_experiment.hpp>
 #include <tegotae/lab/friction_references.hpp>
-#include <tegotae/lab/friction_tasks.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/smooth_path.hpp>
 #include <tegotae/math/rotation.hpp>

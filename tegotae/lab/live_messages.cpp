@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/live_messages.hpp>
+
 #include <tegotae/lab/experiment.hpp>
 #include <tegotae/lab/free_body_stiffness.hpp>
 #include <tegotae/lab/input_error.hpp>
-#include <tegotae/lab/live_messages.hpp>
 #include <tegotae/lab/numeric_setting.hpp>
 #include <tegotae/lab/scene_file.hpp>
 #include <tegotae/lab/scripted_motion.hpp>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/live_run.hpp>
+
 #include <tegotae/device/simulated_presets.hpp>
 #include <tegotae/lab/experiment.hpp>
 #include <tegotae/lab/free_body_stiffness.hpp>
 #include <tegotae/lab/input_error.hpp>
-#include <tegotae/lab/live_run.hpp>
 #include <tegotae/lab/numeric_setting.hpp>
 #include <tegotae/lab/physics_rate.hpp>
 #include <tegotae/lab/session.hpp>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/live_session.hpp>
+
 #include <tegotae/lab/experiment.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/live_messages.hpp>
-#include <tegotae/lab/live_session.hpp>
 #include <tegotae/lab/scripted_motion.hpp>
 #include <tegotae/stream/scene_message.hpp>
 #include <tegotae/world/scene_error.hpp>

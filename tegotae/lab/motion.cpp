@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/motion.hpp>
+
 #include <tegotae/shape/support.hpp>
 
 #include <algorithm>

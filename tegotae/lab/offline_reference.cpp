@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/offline_reference.hpp>
+
 #include <tegotae/lab/separated_tool.hpp>
 #include <tegotae/render/tolerances.hpp>
 

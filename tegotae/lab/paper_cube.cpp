@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/paper_cube.hpp>
+
 #include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/offline_reference.hpp>
-#include <tegotae/lab/paper_cube.hpp>
 #include <tegotae/lab/quantities.hpp>
 #include <tegotae/math/rotation.hpp>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/passivity.hpp>
+
 #include <tegotae/lab/tolerances.hpp>
 
 #include <algorithm>

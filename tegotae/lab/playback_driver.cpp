@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/playback_driver.hpp>
+
 #include <tegotae/device/interface_drivers.hpp>
 #include <tegotae/device/playback_interface.hpp>
 #include <tegotae/lab/input_error.hpp>
-#include <tegotae/lab/playback_driver.hpp>
 #include <tegotae/lab/trajectory_file.hpp>
 
 #include <filesystem>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/contact/penetration.hpp>
 #include <tegotae/lab/pose_penetration.hpp>
+
+#include <tegotae/contact/penetration.hpp>
 
 #include <algorithm>
 #include <limits>

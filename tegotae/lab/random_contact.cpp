@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/random_contact.hpp>
+
 #include <tegotae/lab/closed_loop.hpp>
 #include <tegotae/lab/motion.hpp>
-#include <tegotae/lab/random_contact.hpp>
 #include <tegotae/math/rotation.hpp>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/recorded_states.hpp>
+
 #include <tegotae/lab/recording_schemas.hpp>
 #include <tegotae/stream/mcap_reader.hpp>
 

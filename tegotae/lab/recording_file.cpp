@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/recording_file.hpp>
+
 #include <tegotae/stream/json_text.hpp>
 #include <tegotae/stream/mcap_reader.hpp>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/replay_session.hpp>
+
 #include <tegotae/stream/mcap_reader.hpp>
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/replay_view.hpp>
+
 #include <tegotae/lab/unix_time.hpp>
 #include <tegotae/stream/short_messages.hpp>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/run_metrics.hpp>
+
 #include <tegotae/lab/passivity.hpp>
 #include <tegotae/lab/pose_penetration.hpp>
-#include <tegotae/lab/run_metrics.hpp>
 #include <tegotae/render/render_types.hpp>
 
 #include <algorithm>

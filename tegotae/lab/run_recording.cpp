@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/run_recording.hpp>
+
 #include <tegotae/lab/session_messages.hpp>
 
 #include <cmath>

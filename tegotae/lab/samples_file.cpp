@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/samples_file.hpp>
+
+#include <tegotae/lab/input_error.hpp>
 
 #include <cmath>
 #include <initializer_list>

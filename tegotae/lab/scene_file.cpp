@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/scene_file.hpp>
+
+#include <tegotae/lab/input_error.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/scripted_motion.hpp>
+
 #include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/motion.hpp>
-#include <tegotae/lab/scripted_motion.hpp>
 #include <tegotae/lab/smooth_path.hpp>
 #include <tegotae/math/rotation.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/lab/quadratic_program.hpp>
 #include <tegotae/lab/separating_plane.hpp>
+
+#include <tegotae/lab/quadratic_program.hpp>
 #include <tegotae/math/rotation.hpp>
 
 #include <algorithm>

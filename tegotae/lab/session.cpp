@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/session.hpp>
+
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/numeric_setting.hpp>
-#include <tegotae/lab/session.hpp>
 #include <tegotae/lab/tolerances.hpp>
 
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/session_messages.hpp>
+
 #include <tegotae/lab/experiment.hpp>
 #include <tegotae/lab/numeric_setting.hpp>
-#include <tegotae/lab/session_messages.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/smooth_path.hpp>
+
+#include <tegotae/lab/motion.hpp>
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/stability.hpp>
+
 #include <tegotae/lab/closed_loop.hpp>
 #include <tegotae/lab/decay_judge.hpp>
 #include <tegotae/lab/input_error.hpp>
-#include <tegotae/lab/stability.hpp>
 #include <tegotae/lab/tolerances.hpp>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/lab/decay_judge.hpp>
 #include <tegotae/lab/stability_json.hpp>
+
+#include <tegotae/lab/decay_judge.hpp>
 
 #include <nlohmann/json.hpp>
 

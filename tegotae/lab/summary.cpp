@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/lab/summary.hpp>
+
 #include <tegotae/render/render_types.hpp>
 #include <tegotae/runtime/safety.hpp>
 

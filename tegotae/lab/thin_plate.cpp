@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/thin_plate.hpp>
+
 #include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/contact_experiment.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/offline_reference.hpp>
 #include <tegotae/lab/smooth_path.hpp>
-#include <tegotae/lab/thin_plate.hpp>
 #include <tegotae/math/rotation.hpp>
 
 #include <algorithm>

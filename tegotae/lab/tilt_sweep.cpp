@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/tilt_sweep.hpp>
+
 #include <tegotae/lab/axes.hpp>
 #include <tegotae/lab/motion.hpp>
 #include <tegotae/lab/offline_reference.hpp>
 #include <tegotae/lab/quantities.hpp>
-#include <tegotae/lab/tilt_sweep.hpp>
 #include <tegotae/math/rotation.hpp>
 
 namespace tegotae {

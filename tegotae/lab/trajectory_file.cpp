@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/lab/trajectory_file.hpp>
+
 #include <tegotae/lab/input_error.hpp>
 #include <tegotae/lab/recording_file.hpp>
 #include <tegotae/lab/tolerances.hpp>
-#include <tegotae/lab/trajectory_file.hpp>
 
 #include <fmt/format.h>
 

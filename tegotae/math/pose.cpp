@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/math/pose.hpp>
+
 #include <tegotae/math/rotation.hpp>
 
 namespace tegotae {

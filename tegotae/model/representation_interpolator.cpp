@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/math/rotation.hpp>
 #include <tegotae/model/representation_interpolator.hpp>
+
+#include <tegotae/math/rotation.hpp>
 
 #include <algorithm>
 

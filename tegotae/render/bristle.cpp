@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/math/rotation.hpp>
 #include <tegotae/render/bristle.hpp>
+
+#include <tegotae/math/rotation.hpp>
 #include <tegotae/render/force_ellipsoid.hpp>
 
 #include <limits>

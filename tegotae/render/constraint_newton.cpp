@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/render/constraint_newton.hpp>
+
 #include <tegotae/render/force_ellipsoid.hpp>
 #include <tegotae/render/row_lanes.hpp>
 #include <tegotae/render/tolerances.hpp>

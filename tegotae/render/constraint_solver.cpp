@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/render/constraint_newton.hpp>
 #include <tegotae/render/constraint_solver.hpp>
+
+#include <tegotae/render/constraint_newton.hpp>
 #include <tegotae/render/tolerances.hpp>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/render/contact_rows.hpp>
+
 #include <tegotae/render/tolerances.hpp>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/contact/penetration.hpp>
 #include <tegotae/render/facing.hpp>
+
+#include <tegotae/contact/penetration.hpp>
 
 namespace tegotae {
 namespace {

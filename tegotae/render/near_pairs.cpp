@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/render/near_pairs.hpp>
+
 #include <tegotae/math/rotation.hpp>
 #include <tegotae/render/facing.hpp>
-#include <tegotae/render/near_pairs.hpp>
 
 #include <algorithm>
 

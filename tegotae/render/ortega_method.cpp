@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/render/ortega_method.hpp>
+
 #include <tegotae/render/tool_inertia.hpp>
 
 namespace tegotae {

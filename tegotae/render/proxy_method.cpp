@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/math/rotation.hpp>
 #include <tegotae/render/proxy_method.hpp>
+
+#include <tegotae/math/rotation.hpp>
 #include <tegotae/render/tolerances.hpp>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/render/receding_bodies.hpp>
 #include <tegotae/runtime/haptic_tick.hpp>
+
+#include <tegotae/render/receding_bodies.hpp>
 
 #include <algorithm>
 #include <limits>

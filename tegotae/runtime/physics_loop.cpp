@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/model/near_pieces.hpp>
 #include <tegotae/runtime/physics_loop.hpp>
+
+#include <tegotae/model/near_pieces.hpp>
 
 #include <algorithm>
 #include <cmath>

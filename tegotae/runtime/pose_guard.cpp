@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/math/rotation.hpp>
 #include <tegotae/runtime/pose_guard.hpp>
+
+#include <tegotae/math/rotation.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/runtime/realtime_session.hpp>
+
 #include <tegotae/runtime/latest_value.hpp>
 #include <tegotae/runtime/periodic_timer.hpp>
-#include <tegotae/runtime/realtime_session.hpp>
 #include <tegotae/runtime/spsc_ring.hpp>
 
 #include <chrono>

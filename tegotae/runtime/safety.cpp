@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/runtime/safety.hpp>
+
 #include <tegotae/runtime/vector_limits.hpp>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/math/rotation.hpp>
 #include <tegotae/runtime/workspace_mapping.hpp>
+
+#include <tegotae/math/rotation.hpp>
 
 namespace tegotae {
 namespace {

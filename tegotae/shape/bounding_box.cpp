@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/shape/bounding_box.hpp>
+
 #include <tegotae/shape/support.hpp>
 
 #include <limits>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/shape/convex_hull.hpp>
+
 #include <tegotae/shape/hull_triangles.hpp>
 
 #include <algorithm>

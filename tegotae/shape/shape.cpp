@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/shape/convex_hull.hpp>
 #include <tegotae/shape/shape.hpp>
+
+#include <tegotae/shape/convex_hull.hpp>
 #include <tegotae/shape/stand_in.hpp>
 
 #include <cmath>

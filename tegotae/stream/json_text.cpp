@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/runtime/csv_writer.hpp>
 #include <tegotae/stream/json_text.hpp>
+
+#include <tegotae/runtime/csv_writer.hpp>
 
 #include <nlohmann/json.hpp>
 

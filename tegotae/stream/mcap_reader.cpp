@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/stream/mcap_format.hpp>
 #include <tegotae/stream/mcap_reader.hpp>
+
+#include <tegotae/stream/mcap_format.hpp>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/stream/json_text.hpp>
 #include <tegotae/stream/scene_message.hpp>
+
+#include <tegotae/stream/json_text.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/stream/view_frame.hpp>
+
 #include <tegotae/runtime/safety.hpp>
 #include <tegotae/stream/json_text.hpp>
-#include <tegotae/stream/view_frame.hpp>
 
 #include <cmath>
 

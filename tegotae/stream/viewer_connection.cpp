@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/stream/message_rate.hpp>
 #include <tegotae/stream/viewer_connection.hpp>
+
+#include <tegotae/stream/message_rate.hpp>
 #include <tegotae/stream/web_answer.hpp>
 
 #include <boost/asio/io_context.hpp>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/stream/viewer_server.hpp>
+
 #include <tegotae/stream/viewer_connection.hpp>
 #include <tegotae/stream/viewer_hub.hpp>
-#include <tegotae/stream/viewer_server.hpp>
 #include <tegotae/stream/web_access.hpp>
 
 #include <boost/asio/io_context.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/stream/viewer_options.hpp>
 #include <tegotae/stream/web_access.hpp>
+
+#include <tegotae/stream/viewer_options.hpp>
 
 #include <arpa/inet.h>
 #include <unistd.h>

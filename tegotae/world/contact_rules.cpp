@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/world/contact_rules.hpp>
+
 #include <tegotae/world/scene_error.hpp>
 
 #include <fmt/format.h>

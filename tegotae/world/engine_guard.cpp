@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/world/engine_guard.hpp>
+
 #include <tegotae/world/limits.hpp>
 
 #include <mujoco/mujoco.h>

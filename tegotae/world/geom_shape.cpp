@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/world/geom_shape.hpp>
+
 #include <tegotae/world/limits.hpp>
 #include <tegotae/world/model_names.hpp>
 #include <tegotae/world/model_poses.hpp>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/world/loaded_model.hpp>
+
 #include <tegotae/world/engine_guard.hpp>
 #include <tegotae/world/load_failure.hpp>
-#include <tegotae/world/loaded_model.hpp>
 #include <tegotae/world/scene_error.hpp>
 
 #include <fmt/format.h>

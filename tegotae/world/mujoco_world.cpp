@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/world/mujoco_world.hpp>
+
 #include <tegotae/world/contact_rules.hpp>
 #include <tegotae/world/model_poses.hpp>
-#include <tegotae/world/mujoco_world.hpp>
 #include <tegotae/world/scene_builder.hpp>
 #include <tegotae/world/simulation.hpp>
 

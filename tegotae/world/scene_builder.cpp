@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/world/scene_builder.hpp>
+
 #include <tegotae/runtime/impulse_sums.hpp>
 #include <tegotae/world/contact_rules.hpp>
 #include <tegotae/world/geom_shape.hpp>
 #include <tegotae/world/limits.hpp>
 #include <tegotae/world/model_names.hpp>
 #include <tegotae/world/model_poses.hpp>
-#include <tegotae/world/scene_builder.hpp>
 #include <tegotae/world/scene_error.hpp>
 
 #include <fmt/format.h>

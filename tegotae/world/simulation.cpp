@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <tegotae/world/engine_room.hpp>
 #include <tegotae/world/simulation.hpp>
+
+#include <tegotae/world/engine_room.hpp>
 
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>

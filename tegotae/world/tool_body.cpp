@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <tegotae/world/tool_body.hpp>
+
 #include <tegotae/world/model_names.hpp>
 #include <tegotae/world/model_poses.hpp>
 #include <tegotae/world/scene_error.hpp>
-#include <tegotae/world/tool_body.hpp>
 
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
