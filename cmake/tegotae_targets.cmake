@@ -33,7 +33,7 @@ function(tegotae_library name)
   target_include_directories(tegotae_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   tegotae_compile_settings(tegotae_${name})
-  if(TEGOTAE_BUILD_TESTS AND NOT TEGOTAE_SANITIZE)
+  if(NOT TEGOTAE_SANITIZE)
     # One by one, whatever the scripts ask for: so each source, and the header that stands first in it, is shown to
     # include what it needs. The test of the installed headers relies on it.
     set_target_properties(tegotae_${name} PROPERTIES UNITY_BUILD OFF)
