@@ -65,12 +65,12 @@ InterfaceCommand HapticTick::operator()(const InterfaceState& state, const Inter
 }
 
 // The period, or more where ticks were missed; never more than a tenth of a second, after which nothing that was is
-// worth continuing.
+// worth continuing, and at low rates than 25 periods, as the safety stage must see that ticks were missed there too.
 double HapticTick::elapsed_until(double time) noexcept {
-  constexpr double kLongest = 0.1;  // s
+  constexpr double kLongest = 0.1, kPeriods = 25.0;  // s; twice the default of SafetyLimits::max_missed_ticks
   const double since = tick_count_ > 0 ? time - state_.time : period_;
   // Within half a period it is the period: the clock's jitter is no change of rate.
-  return since > 1.5 * period_ ? std::min(since, kLongest) : period_;
+  return since > 1.5 * period_ ? std::min(since, std::max(kLongest, kPeriods * period_)) : period_;
 }
 
 ToolState HapticTick::begin(const InterfaceState& state, bool interface_lost) noexcept {

@@ -161,6 +161,30 @@ TEST(HapticTick, MissedTicksAreFeltByTheBodiesForAsLongAsByTheHand) {
   EXPECT_GT(impulse, 0.3);
 }
 
+// A program that was stopped, say: what it displayed fades, and is not felt again while the hand presses.
+TEST(HapticTick, AStandstillTakesTheForceAwayAtAnyRate) {
+  for (const double period : {1e-3, 0.01, 0.1}) {
+    TickRig rig;
+    SafetyLimits limits;
+    limits.period = limits.ramp_time = period;
+    limits.force_rate = limits.torque_rate = 1e9;
+    limits.max_model_age = 1e9;
+    limits.energy_bound.on = false;
+    MethodSettings settings;
+    settings.stiffness = 9000.0;
+    rig.tick = std::make_unique<HapticTick>(make_method("paper", settings, rig.world.geometry()),
+                                            rig.world.geometry().tool, limits, period);
+    rig.make_model(0.0, pressed(-1e-3));
+    rig.run(0.0, pressed(-1e-3), true);
+    EXPECT_NEAR(rig.run(period, pressed(1e-3), false).wrench.force.y(), 9.0, 1e-3) << period;
+    double time = period + 10.0, force = rig.run(time, pressed(1e-3), false).wrench.force.y();
+    for (const double end = time + limits.fade_time + period; time < end;) {
+      force = rig.run(time += period, pressed(1e-3), false).wrench.force.y();
+    }
+    EXPECT_EQ(force, 0.0) << period;
+  }
+}
+
 // A ball that turns about its centre on the floor, models made only now and then.
 TEST(HapticTick, ATurningBallIsFeltAsABall) {
   SceneGeometry scene = test::cube_over_floor();
