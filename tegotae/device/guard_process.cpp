@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +15,7 @@
 #include <cstring>
 #include <fstream>
 #include <initializer_list>
+#include <iterator>
 #include <thread>
 #include <utility>
 
@@ -95,11 +97,14 @@ class HeartWatch {
       : driver_(driver), options_(options), guarded_(guarded) {}
 
   void look() {
-    if (!standstill_.see(steady_seconds(), *guarded_.heart)) {
+    const double now = steady_seconds();
+    if (!standstill_.see(now, *guarded_.heart)) {
       is_silent_ = is_told_ = false;
+      next_silence_ = 0.0;
       return;
     }
-    if (guarded_.rescue == RescueTime::kAnyTime && !is_silent_ && driver_.silence(options_)) {
+    if (guarded_.rescue == RescueTime::kAnyTime && now >= next_silence_ && driver_.silence(options_)) {
+      next_silence_ = now + Standstill::kLongest;  // again, as a command that was on its way may come yet
       is_silent_ = true;
       tell("it is at zero.");
     }
@@ -121,22 +126,44 @@ class HeartWatch {
   const std::string& options_;
   const GuardedProcess& guarded_;
   Standstill standstill_;
+  double next_silence_ = 0.0;  // s
   bool is_silent_ = false, is_told_ = false;
+};
+
+// Of another process: can be read when it is dead.
+class Death {
+ public:
+  // By number, as the header of glibc 2.36 declares the function for C alone.
+  explicit Death(pid_t process)
+      : descriptor_(process > 1 ? static_cast<int>(syscall(SYS_pidfd_open, process, 0)) : -1) {}
+  Death(const Death&) = delete;
+  Death& operator=(const Death&) = delete;
+  ~Death() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+  int descriptor() const { return descriptor_; }  // negative: not known, which poll passes over
+
+ private:
+  int descriptor_;
 };
 
 // False where it died.
 bool took_leave(int socket) {
   char word = 0;
   ssize_t length = 0;
-  do length = read(socket, &word, 1);
+  do length = recv(socket, &word, 1, MSG_DONTWAIT);
   while (length < 0 && errno == EINTR);
   return length == 1 && word == kFarewell;
 }
 
+// Its end of the socket may outlive it, in a process that a maker's library forked off.
 void watch_until_it_ends(const InterfaceDriver& driver, const std::string& options, const GuardedProcess& guarded) {
-  if (guarded.heart == nullptr) return;
+  const Death death(guarded.process);
+  pollfd ends[] = {{guarded.socket, POLLIN, 0}, {death.descriptor(), POLLIN, 0}};
   HeartWatch watch(driver, options, guarded);
-  for (pollfd end{guarded.socket, POLLIN, 0}; poll(&end, 1, kBetweenLooks) <= 0;) watch.look();
+  while (poll(ends, std::size(ends), guarded.heart != nullptr ? kBetweenLooks : -1) <= 0) {
+    if (guarded.heart != nullptr) watch.look();
+  }
 }
 
 }  // namespace

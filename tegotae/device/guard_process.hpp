@@ -67,14 +67,14 @@ struct GuardedProcess {
   double patience = 10.0;  ///< s for which a device may be held after the death
 };
 
-/// What the guard does: waits until the guarded process takes leave or dies; in the second case silences the interface,
-/// again and again for `patience`, as a device may be held for a moment after the death. Keyboard signals and hang-ups
-/// are for the guarded process and are ignored here.
+/// What the guard does: waits until the guarded process takes leave or dies (its end of the socket is closed, or
+/// `process` is dead); in the second case silences the interface, again and again for `patience`, as a device may be
+/// held for a moment after the death. Keyboard signals and hang-ups are for the guarded process and are ignored here.
 ///
-/// Where the heart stands still while a force is displayed (Standstill), it silences the interface at once if a second
-/// process may (RescueTime::kAnyTime), and continues a process that was stopped (SIGSTOP, or Ctrl-Z): its own safety
-/// stage then knows that it stood, and says zero. A process that is stuck in a call to a device which nobody else can
-/// open is beyond help: it is told of, once.
+/// Where the heart stands still while a force is displayed (Standstill), it silences the interface at once, and every
+/// 0.1 s while that lasts, if a second process may (RescueTime::kAnyTime), and continues a process that was stopped
+/// (SIGSTOP, or Ctrl-Z): its own safety stage then knows that it stood, and fades. A process that is stuck in a
+/// call to a device which nobody else can open is beyond help: it is told of, once.
 GuardEnd guard_interface(const InterfaceDriver& driver, const std::string& options, const GuardedProcess& guarded);
 
 }  // namespace tegotae

@@ -3,6 +3,7 @@
 
 #include <tegotae/device/interface_driver.hpp>
 
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -19,10 +20,20 @@ namespace {
   throw InterfaceError(std::string("no memory can be shared with the process that guards the interface: ") + why + ".");
 }
 
+// Above those of standard input, output and error: where one of these was closed, the memory must not take its place.
+int new_memory() {
+  const int made = memfd_create("tegotae-heartbeat", MFD_CLOEXEC);
+  if (made < 0 || made > STDERR_FILENO) return made;
+  const int result = fcntl(made, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  const int error = errno;
+  close(made);
+  errno = error;
+  return result;
+}
+
 }  // namespace
 
-HeartbeatMemory::HeartbeatMemory()
-    : descriptor_(memfd_create("tegotae-heartbeat", MFD_CLOEXEC)), owns_descriptor_(true) {
+HeartbeatMemory::HeartbeatMemory() : descriptor_(new_memory()), owns_descriptor_(true) {
   if (descriptor_ < 0) refuse_heartbeat(std::strerror(errno));  // NOLINT(concurrency-mt-unsafe)
   if (ftruncate(descriptor_, sizeof(Heartbeat)) != 0) {
     close(descriptor_);

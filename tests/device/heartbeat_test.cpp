@@ -4,6 +4,7 @@
 
 #include <tests/allocation_counter.hpp>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -128,6 +129,20 @@ TEST(HeartbeatMemory, IsSeenByAnotherProcess) {
   ASSERT_EQ(waitpid(child, &status, 0), child);
   EXPECT_EQ(memory->beats, 42U);
   EXPECT_TRUE(memory->displays);
+}
+
+// Standard error would write into it, and a guard finds its socket where standard input was.
+TEST(HeartbeatMemory, TakesNoStandardDescriptorThatIsClosed) {
+  const pid_t child = fork();
+  if (child == 0) {
+    for (int i = STDIN_FILENO; i <= STDERR_FILENO; ++i) close(i);
+    const HeartbeatMemory memory;
+    memory->beats = 42;
+    _exit(memory.descriptor() > STDERR_FILENO && fcntl(STDIN_FILENO, F_GETFD) < 0 && memory->beats == 42 ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
 }
 
 TEST(HeartbeatMemory, ADescriptorOfSomethingElseIsRefused) {

@@ -275,7 +275,7 @@ TEST_F(PressingSpidar, IsStoppedByTheGuardWhereTheProgramIsStuckInACall) {
   EXPECT_EQ(device_->opens, 1U);
   const std::int64_t begin = now();
   device_->stall = 600'000;  // ms
-  EXPECT_TRUE(comes([&] { return device_->stall == 0 && device_->opens == 2 && force() == 0.0; }))
+  EXPECT_TRUE(comes([&] { return device_->stall == 0 && device_->opens >= 2 && force() == 0.0; }))
       << program_->output();
   for (const auto& tension : device_->tensions) EXPECT_EQ(tension, 0.0);
   EXPECT_FALSE(program_->has_ended());
