@@ -10,6 +10,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -19,6 +20,7 @@ struct tegotae_spidar_board {
 
 static const float kAmperesPerNewton = 0.008F / 0.0438F; /* radius of the pulley, m, over the motor's N m/A */
 static const int kWait = 2;                              /* ms for an answer */
+static const int kMostWaiting = 64;                      /* bytes not yet on the line: about a period's */
 static _Thread_local const char* error = "";
 
 static int failed(void) {
@@ -44,6 +46,7 @@ tegotae_spidar_board* tegotae_spidar_open(const char* options) {
   board->port = open(options, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (board->port >= 0 && tcgetattr(board->port, &mode) == 0) {
     cfmakeraw(&mode);
+    cfsetspeed(&mode, B921600); /* 66 bytes a millisecond; USB takes no notice */
     if (tcsetattr(board->port, TCSANOW, &mode) == 0) return board;
   }
   failed();
@@ -82,18 +85,27 @@ int tegotae_spidar_read(tegotae_spidar_board* board, tegotae_spidar_reading* rea
   return 0;
 }
 
-int tegotae_spidar_write(tegotae_spidar_board* board, const double* tensions) {
+static int tell(int port, const double* tensions) {
   char packet[1 + TEGOTAE_SPIDAR_STRINGS * sizeof(float)] = {'w'};
   for (int i = 0; i < TEGOTAE_SPIDAR_STRINGS; ++i) {
     const float amperes = kAmperesPerNewton * (float)tensions[i];
     memcpy(packet + 1 + (size_t)i * sizeof amperes, &amperes, sizeof amperes);
   }
-  return sent(board->port, packet, sizeof packet);
+  return sent(port, packet, sizeof packet);
+}
+
+int tegotae_spidar_write(tegotae_spidar_board* board, const double* tensions) {
+  int waiting = 0;
+  if (ioctl(board->port, TIOCOUTQ, &waiting) == 0 && waiting > kMostWaiting) {
+    errno = EAGAIN; /* a queue would display forces that are old */
+    return failed();
+  }
+  return tell(board->port, tensions);
 }
 
 int tegotae_spidar_stop(tegotae_spidar_board* board) {
   const double none[TEGOTAE_SPIDAR_STRINGS] = {0.0};
-  return tegotae_spidar_write(board, none);
+  return tell(board->port, none);
 }
 
 const char* tegotae_spidar_error(void) { return error; }

@@ -29,9 +29,9 @@ SpidarBoard::~SpidarBoard() {
 
 bool SpidarBoard::read_uncalibrated(SpidarVector& counts) noexcept {
   tegotae_spidar_reading reading = {};
-  if (!succeeded(library_.read(board_, &reading))) return false;
+  if (!succeeded(library_.read(board_, &reading)) || !std::isfinite(reading.age)) return false;
   std::copy(std::begin(reading.counts), std::end(reading.counts), counts.data());
-  age_ = std::isfinite(reading.age) ? std::max(reading.age, 0.0) : 0.0;
+  age_ = std::max(reading.age, 0.0);
   buttons_ = reading.buttons;
   is_calibrated_ = reading.is_uncalibrated == 0;
   return true;

@@ -11,7 +11,7 @@
 namespace tegotae {
 
 /// A SPIDAR's board that its owner's library speaks to (spidar_transport.h). What is not calibrated is as good as not
-/// read. The destructor stops the motors and closes the board.
+/// read, and so is what has an age that is not finite. The destructor stops the motors and closes the board.
 class SpidarBoard final : public SpidarTransport {
  public:
   /// Opens the board that `name` names. Throws InterfaceError where it cannot be opened or has not eight strings.

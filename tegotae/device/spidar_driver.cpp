@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tegotae/device/spidar_driver.hpp>
 
+#include <tegotae/device/interface_options.hpp>
 #include <tegotae/device/reconnecting_interface.hpp>
 #include <tegotae/device/spidar_device.hpp>
 
@@ -64,10 +65,12 @@ std::unique_ptr<HapticInterface> open_spidar(std::string_view text) {
       [library, options] { return std::make_unique<SpidarDevice>(library, options, SpidarZero::kKept); });
 }
 
+// Not by way of the geometry: its file may have been changed or moved since the board was opened, and is not needed.
 bool silence_spidar(std::string_view text) noexcept {
   try {
-    const SpidarOptions options = with_transport(text);
-    return SpidarBoard::silence(library_for(options), options.board);
+    InterfaceOptions given("spidar-g6", text);
+    const SpidarBoardLibrary library(SpidarBoardLibrary::find(given.text("transport").value_or("")));
+    return SpidarBoard::silence(library, given.text("board").value_or(""));
   } catch (const std::exception&) {
     return false;
   }

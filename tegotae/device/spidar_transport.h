@@ -52,7 +52,8 @@ typedef struct tegotae_spidar_reading {
 enum {
   TEGOTAE_SPIDAR_NEVER = 0,       /**< or not for sure: after a crash the board's own watchdog must let go */
   TEGOTAE_SPIDAR_AFTER_DEATH = 1, /**< once the process that drove it is dead */
-  TEGOTAE_SPIDAR_ANY_TIME = 2     /**< also while that process lives, and has it open */
+  /** Also while that process lives, and has it open; the library then repeats no `write` by itself. */
+  TEGOTAE_SPIDAR_ANY_TIME = 2
 };
 
 /** TEGOTAE_SPIDAR_VERSION, as this library was compiled with. Asked first: any other than Tegotae's own is refused. */
@@ -77,7 +78,8 @@ TEGOTAE_SPIDAR_FUNCTION int tegotae_spidar_read(tegotae_spidar_board* board, teg
 
 /**
  * Tension of each string, N, to be held until the next `write`. From the geometry's least to its greatest tension; the
- * library converts to its motors' current (a pulley of radius r and a motor of k N m/A take r/k A per newton).
+ * library converts to its motors' current (a pulley of radius r and a motor of k N m/A take r/k A per newton). Nothing
+ * may queue up, as it would display forces that are old: what the board cannot take now is an error.
  */
 TEGOTAE_SPIDAR_FUNCTION int tegotae_spidar_write(tegotae_spidar_board* board, const double* tensions);
 

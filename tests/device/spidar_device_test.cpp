@@ -13,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
 #include <thread>
 
@@ -122,6 +123,16 @@ TEST_F(SpidarDeviceTest, ABoardThatKnowsHowOldItsCountsAreDatesThePose) {
   EXPECT_DOUBLE_EQ(state.time, 1.0 - 4e-3);
 }
 
+// Counts that were never measured, say: they must not pass for new ones.
+TEST_F(SpidarDeviceTest, AnAgeThatIsNoneIsLost) {
+  const auto interface = open();
+  ASSERT_EQ(interface->read(0.0, state), InterfaceStatus::kOk);
+  spidar->reading_age = INT64_MAX;
+  EXPECT_EQ(interface->read(1e-3, state), InterfaceStatus::kLost);
+  spidar->reading_age = 0;
+  EXPECT_EQ(interface->read(2e-3, state), InterfaceStatus::kOk);
+}
+
 TEST_F(SpidarDeviceTest, CountsThatFitNoPoseAreLostButTheBoardIsKept) {
   const auto interface = open();
   spidar->slip[3] = 2000.0;
@@ -174,6 +185,16 @@ TEST_F(SpidarDeviceTest, AnotherProcessMayStopItWhereTheLibrarySaysSo) {
   EXPECT_THAT(never.after_a_crash, HasSubstr("watchdog"));
   EXPECT_FALSE(spidar_driver().silence(on_spidar_double()));
   EXPECT_EQ(spidar->opens, 0U);
+}
+
+// The guard may be needed hours after its file was read.
+TEST_F(SpidarDeviceTest, ItIsStoppedAlsoWhereTheFileOfItsGeometryIsGone) {
+  std::string options = on_spidar_double();
+  options.replace(0, 3, "/none/geometry.txt");
+  EXPECT_THROW(spidar_driver().open(options), InterfaceError);
+  EXPECT_TRUE(spidar_driver().silence(options));
+  EXPECT_EQ(spidar->opens, 1U);
+  EXPECT_FALSE(spidar_driver().silence("x3r")) << "no library";
 }
 
 // While its counts are no numbers they never stand.

@@ -70,9 +70,9 @@ struct DoubleState {
   std::atomic<bool> bad_frame{false};         ///< the rotation is reported as no rotation
   std::array<std::atomic<double>, 3> jump{};  ///< m, added to the reported position
   std::array<std::atomic<double>, 8> slip{};  ///< pulses, added to a SPIDAR's counts
-  std::atomic<std::int64_t> reading_age{0};   ///< ns, of a SPIDAR's counts, as its library tells it
-  std::atomic<int> stall{0};                  ///< ms, once, in the next reading or command
-  std::atomic<bool> uncalibrated{false};      ///< until the library calibrates it
+  std::atomic<std::int64_t> reading_age{0};  ///< ns, of a SPIDAR's counts, as its library tells it; INT64_MAX: infinite
+  std::atomic<int> stall{0};                 ///< ms, once, in the next reading or command
+  std::atomic<bool> uncalibrated{false};     ///< until the library calibrates it
   std::atomic<bool> cannot_calibrate{false};
   std::atomic<bool> emergency_stop{false}, power_off{false}, hand_off{false};  ///< hand_off: dead-man's switch let go
   std::atomic<bool> offset_button{false};  ///< pressed: no force, where the library was told so

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 using tegotae::kSpidarStrings;
@@ -119,7 +120,8 @@ int tegotae_spidar_read(tegotae_spidar_board* board, tegotae_spidar_reading* rea
     reading->counts[i] =
         std::round(way[i] / board->geometry.strings[string].metres_per_pulse + state.slip[string].load());
   }
-  reading->age = kNanosecond * static_cast<double>(state.reading_age.load());
+  const std::int64_t age = state.reading_age.load();
+  reading->age = age == INT64_MAX ? HUGE_VAL : kNanosecond * static_cast<double>(age);
   reading->buttons = measured.buttons;
   reading->is_uncalibrated = state.uncalibrated.load() ? 1 : 0;
   return 0;
