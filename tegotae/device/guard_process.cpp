@@ -166,6 +166,9 @@ void watch_until_it_ends(const InterfaceDriver& driver, const std::string& optio
   }
 }
 
+// What a guard that was bidden farewell has to end.
+constexpr std::chrono::milliseconds kFarewellTime{2000}, kFarewellLook{5};
+
 }  // namespace
 
 GuardProcess::GuardProcess(const GuardProgram& program) {
@@ -182,7 +185,12 @@ GuardProcess::GuardProcess(const GuardProgram& program) {
 GuardProcess::~GuardProcess() {
   static_cast<void>(send(socket_, &kFarewell, 1, MSG_NOSIGNAL));
   close(socket_);
-  if (!has_ended_) wait(WUNTRACED);
+  for (auto left = kFarewellTime; !has_ended() && left.count() > 0; left -= kFarewellLook) {
+    std::this_thread::sleep_for(kFarewellLook);
+  }
+  if (has_ended_) return;
+  kill(pid_, SIGKILL);  // it hangs, perhaps in the maker's library
+  wait(0);
 }
 
 bool GuardProcess::has_ended() noexcept { return has_ended_ || wait(WNOHANG | WUNTRACED); }

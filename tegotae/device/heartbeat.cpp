@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <new>
@@ -65,6 +66,13 @@ void HeartbeatMemory::map() {
   heart_ = static_cast<Heartbeat*>(memory);
 }
 
+InterfaceStatus BeatingInterface::read(double time, InterfaceState& state) noexcept {
+  const double period = std::clamp(time - last_read_, 0.0, Heartbeat::kSlowest);
+  last_read_ = time;
+  heart_.period.store(period, std::memory_order_relaxed);  // seen with the beat that follows
+  return interface_.read(time, state);
+}
+
 // A call that hangs on its way to a force must not look like one to zero, so `displays` rises before the call and falls
 // after it.
 InterfaceStatus BeatingInterface::write(const InterfaceCommand& command) noexcept {
@@ -84,7 +92,7 @@ bool Standstill::see(double time, const Heartbeat& heart) noexcept {
     beats_ = beats;
     since_ = time;
   }
-  return time - since_ >= kLongest;
+  return time - since_ >= std::max(kLongest, kPeriods * heart.period.load(std::memory_order_relaxed));
 }
 
 }  // namespace tegotae

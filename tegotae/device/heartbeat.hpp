@@ -13,8 +13,12 @@ namespace tegotae {
 struct Heartbeat {
   std::atomic<std::uint64_t> beats{0};  ///< commands that the device took or refused
   std::atomic<bool> displays{false};    ///< a command that was not zero, with no zero taken since
+  std::atomic<double> period{0.0};      ///< s between the last two readings, at most `kSlowest`
+
+  static constexpr double kSlowest = 0.1;  ///< s; slower haptics are not permitted
 };
-static_assert(std::atomic<std::uint64_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
+static_assert(std::atomic<std::uint64_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+                  std::atomic<double>::is_always_lock_free,
               "processes cannot share a lock that is hidden in an atomic");
 
 /// Memory for a heartbeat, to be shared with a process that this one starts.
@@ -47,12 +51,13 @@ class BeatingInterface final : public HapticInterface {
   BeatingInterface(HapticInterface& interface, Heartbeat& heart) : interface_(interface), heart_(heart) {}
 
   InterfaceCapability capability() const override { return interface_.capability(); }
-  InterfaceStatus read(double time, InterfaceState& state) noexcept override { return interface_.read(time, state); }
+  InterfaceStatus read(double time, InterfaceState& state) noexcept override;
   InterfaceStatus write(const InterfaceCommand& command) noexcept override;
 
  private:
   HapticInterface& interface_;
   Heartbeat& heart_;
+  double last_read_ = 0.0;  ///< s
 };
 
 /// Tells from looks at a heartbeat when a force is displayed that nobody renews.
@@ -61,8 +66,11 @@ class Standstill {
   /// s without a beat. Ticks that come late are some milliseconds late, on a machine that is busy with other things
   /// some tens; a hand needs 200 ms to let go.
   static constexpr double kLongest = 0.1;
+  /// The same in periods, of haptics so slow that this is longer.
+  static constexpr double kPeriods = 5.0;
 
-  /// At each look, `time` in s, rising: whether a force has been displayed without a beat for `kLongest`.
+  /// At each look, `time` in s, rising: whether a force has been displayed without a beat for the longer of `kLongest`
+  /// and `kPeriods`.
   bool see(double time, const Heartbeat& heart) noexcept;
 
  private:

@@ -113,6 +113,15 @@ TEST(GuardProcess, IsStartedWithTheSocketAsInputAndEndsWithItsOwner) {
   EXPECT_EQ(kill(pid, 0), -1) << "waited for";
 }
 
+TEST(GuardProcess, OneThatHangsIsEndedWithItsOwner) {
+  pid_t pid = 0;
+  {
+    GuardProcess guard({"/bin/sleep", {"1000"}});
+    pid = guard.pid();
+  }
+  EXPECT_EQ(kill(pid, 0), -1) << "waited for";
+}
+
 TEST(GuardProcess, AProgramThatIsNotThereIsRefused) {
   EXPECT_THROW(GuardProcess({"/no/such/program", {}}), InterfaceError);
 }

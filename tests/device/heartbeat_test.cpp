@@ -63,6 +63,17 @@ TEST_F(BeatingInterfaceTest, BeatsWithEachCommandWhateverCameOfIt) {
   EXPECT_EQ(heart.beats, 3U);
 }
 
+TEST_F(BeatingInterfaceTest, TellsThePeriodUpToThatOfTheSlowestHaptics) {
+  InterfaceState state;
+  beating.read(3.0, state);
+  beating.read(3.02, state);
+  EXPECT_NEAR(heart.period, 0.02, 1e-12);
+  beating.read(9.0, state);
+  EXPECT_EQ(heart.period, Heartbeat::kSlowest) << "after a standstill";
+  beating.read(8.0, state);
+  EXPECT_EQ(heart.period, 0.0) << "a clock that goes back";
+}
+
 // A call may hang, either way: then the device displays what it displayed, or what it was told.
 TEST_F(BeatingInterfaceTest, DisplaysFromBeforeTheFirstForceUntilAfterAZeroThatWasTaken) {
   beating.write({});
@@ -104,6 +115,17 @@ TEST(Standstill, IsAForceThatNobodyRenews) {
   ++heart.beats;
   EXPECT_FALSE(standstill.see(6.0, heart));
   EXPECT_FALSE(standstill.see(6.0 + 0.9 * Standstill::kLongest, heart));
+}
+
+TEST(Standstill, WaitsForTheTicksOfSlowHaptics) {
+  Heartbeat heart;
+  heart.displays = true;
+  heart.period = Heartbeat::kSlowest;
+  const double patience = Standstill::kPeriods * Heartbeat::kSlowest;
+  Standstill standstill;
+  EXPECT_FALSE(standstill.see(5.0, heart));
+  EXPECT_FALSE(standstill.see(5.0 + 0.9 * patience, heart));
+  EXPECT_TRUE(standstill.see(5.0 + 1.1 * patience, heart));
 }
 
 TEST(Standstill, CountsFromWhenTheForceBegan) {
