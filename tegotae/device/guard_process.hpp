@@ -33,7 +33,7 @@ class GuardProcess {
   /// Starts the program; the socket is its standard input. It must end in `guard_interface`. Throws InterfaceError
   /// where it cannot be started. Allocates.
   explicit GuardProcess(const GuardProgram& program);
-  /// Says farewell and waits for its end.
+  /// Says farewell and waits for its end, for at most 2 s: then it is killed.
   ~GuardProcess();
   GuardProcess(const GuardProcess&) = delete;
   GuardProcess& operator=(const GuardProcess&) = delete;

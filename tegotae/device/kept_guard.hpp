@@ -21,7 +21,7 @@ namespace tegotae {
 class KeptGuard {
  public:
   /// Starts the first. `on_failure` is called on this object's thread, at most once. Throws InterfaceError where the
-  /// first cannot be started.
+  /// first cannot be started, std::system_error where its thread cannot.
   KeptGuard(GuardProgram program, std::function<void()> on_failure);
   /// Says farewell to the guard.
   ~KeptGuard();

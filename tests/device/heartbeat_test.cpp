@@ -100,8 +100,12 @@ TEST_F(BeatingInterfaceTest, ATorqueOrAGripperForceIsNoZero) {
 }
 
 TEST_F(BeatingInterfaceTest, AllocatesNothing) {
+  InterfaceState state;
   const test::AllocationCounter allocations;
-  for (int i = 0; i < 100; ++i) beating.write(heart_push(i % 2));
+  for (int i = 0; i < 100; ++i) {
+    beating.read(1e-3 * i, state);
+    beating.write(heart_push(i % 2));
+  }
   EXPECT_EQ(allocations.count(), 0U);
 }
 
